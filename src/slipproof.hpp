@@ -1,62 +1,20 @@
-// The whole library in one header. Scenes and their motions; mechanisms; filters; contact problems, also in the files
-// of the field; answers of other solvers; papers, proofs and certificates; pictures and reports. Each header can be
+// The public headers: what other programs include, and what is installed with all that these include. Each can be
 // included by itself.
 #pragma once
 
-#include "base/crew/crew.hpp"
-#include "base/input/diagnostic.hpp"
-#include "claims/mutation/mutation.hpp"
-#include "claims/reading/read_claims_file.hpp"
-#include "claims/statements/claim_statements.hpp"
-#include "claims/uniqueness/ranges.hpp"
-#include "claims/uniqueness/scene_setting.hpp"
-#include "claims/verify/verify.hpp"
-#include "contact/exact/exact_lcp.hpp"
-#include "contact/exact/no_solution.hpp"
-#include "contact/formats/problem_check.hpp"
-#include "contact/formats/read_files.hpp"
-#include "contact/judge/certificate.hpp"
-#include "contact/judge/judge.hpp"
-#include "contact/judge/problem_name.hpp"
-#include "contact/judge/small.hpp"
-#include "contact/problem/solutions.hpp"
-#include "floating/batch/bicycle_batch.hpp"
-#include "floating/batch/mechanism_batch.hpp"
-#include "floating/trade/trade.hpp"
-#include "mechanics/checks/checks.hpp"
-#include "mechanics/checks/show.hpp"
-#include "mechanics/mechanism/words.hpp"
-#include "mechanics/reading/read_mechanism.hpp"
-#include "mechanics/reading/shipped.hpp"
-#include "mechanics/scene/narrow.hpp"
-#include "mechanics/scene/scene.hpp"
-#include "mechanics/search/search.hpp"
-#include "proofs/check/files.hpp"
-#include "proofs/check_contact/files.hpp"
-#include "proofs/other_provers/smtlib.hpp"
-#include "proofs/search/prove_files.hpp"
-#include "records/certify/certify.hpp"
-#include "records/certify/columns.hpp"
-#include "records/certify/pieces.hpp"
-#include "records/certify/table_records.hpp"
-#include "records/engines/judged_engines.hpp"
-#include "records/judging/judge.hpp"
-#include "records/judging/record_judge.hpp"
-#include "records/problems/contact_file.hpp"
-#include "records/record/bicycle_records.hpp"
-#include "records/tables/table.hpp"
-#include "report/engines/engine_pages.hpp"
-#include "report/expected/expected.hpp"
-#include "report/explorer/explorer.hpp"
-#include "report/explorer/explorer_page.hpp"
-#include "report/html/contact_report.hpp"
-#include "report/html/page.hpp"
-#include "report/papers/errata.hpp"
-#include "report/papers/verify_report.hpp"
-#include "report/phase/phase_diagram.hpp"
-#include "report/phase/phase_svg.hpp"
-#include "report/picture/mechanism_svg.hpp"
-#include "report/planes/mechanism_plane.hpp"
-#include "report/scenes/contact_words.hpp"
-#include "report/scenes/mechanism_report.hpp"
-#include "report/uniqueness/search_report.hpp"
+#include "base/input/diagnostic.hpp"             // InputError: every mistake of a file, with its place
+#include "claims/reading/read_claims_file.hpp"   // papers,
+#include "claims/verify/verify.hpp"              // and what is true of them
+#include "contact/formats/read_files.hpp"        // contact problems of other solvers and their answers,
+#include "contact/judge/judge.hpp"               // judged;
+#include "contact/judge/small.hpp"               // small ones against all solutions
+#include "contact/problem/every_push.hpp"        // whether a scene has one motion whatever else pushes it
+#include "floating/batch/mechanism_batch.hpp"    // the modes of many scenes in columns of doubles
+#include "mechanics/checks/checks.hpp"           // what looks wrong in a mechanism
+#include "mechanics/reading/read_mechanism.hpp"  // mechanisms,
+#include "mechanics/scene/solve_mechanism.hpp"   // scenes, and all of their motions
+#include "mechanics/search/search.hpp"           // where a mechanism has no motion, or several
+#include "proofs/check/files.hpp"                // checks certificates
+#include "records/judging/record_judge.hpp"      // judges records of a solver's answers
+#include "report/picture/motions_svg.hpp"        // pictures,
+#include "report/scenes/mechanism_report.hpp"    // and reports as text and JSON

@@ -4,7 +4,7 @@
 
 int main() {
   using namespace slipproof;
-  const SolvedMechanism solved(parse_scene(R"(
+  const SolvedMechanism solved = solve_mechanism(parse_scene(R"(
 mechanism = "bicycle"
 [values]
 M = 94
@@ -24,7 +24,7 @@ g = "9.81"
 external = 0
 F = 300
 )",
-                                           "scene"));
+                                                             "scene"));
   const RecordJudge judge(CertifiedMechanism(solved.scene), {});
   RecordJudge::NamedNumbers answer;
   const MotionAtLoad& motion = solved.at_load->motions.at(0);

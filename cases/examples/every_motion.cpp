@@ -8,7 +8,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    const slipproof::SolvedMechanism solved(slipproof::read_scene(argv[1]));
+    const slipproof::SolvedMechanism solved = slipproof::solve_mechanism(slipproof::read_scene(argv[1]));
     for (const slipproof::ConsistentMode& mode : solved.modes) {
       std::cout << name(mode.mode) << " for F in " << to_string(mode.solutions.loads) << '\n';
     }

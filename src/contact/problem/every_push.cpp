@@ -4,6 +4,7 @@
 
 #include "contact/problem/solutions.hpp"
 #include "mechanics/kernel/affine_space.hpp"
+#include "mechanics/kernel/kinematic_modes.hpp"
 
 namespace slipproof {
 
@@ -205,6 +206,12 @@ EveryLoad for_every_push(const ContactProblem& problem, Work effort) {
     result.reason = EveryLoad::Reason::too_many;
   }
   return result;
+}
+
+std::optional<EveryLoad> for_every_push(const FrictionProblem& problem) {
+  if (has_too_many_to_try(problem)) return std::nullopt;
+  const auto contacts = contact_problem(problem);
+  return contacts ? std::optional(for_every_push(*contacts)) : std::nullopt;
 }
 
 }  // namespace slipproof

@@ -23,4 +23,8 @@ inline constexpr Work push_effort = 40'000'000;
 /// some linear programs in as many variables as W has rows for each pair of modes; `undecided` beyond the effort.
 EveryLoad for_every_push(const ContactProblem& problem, Work effort = push_effort);
 
+/// The same for a mechanism's contacts, whose equations are solved (without_equations()). Nothing if they are no
+/// contact_problem(), or have more modes than are all tried. May take most of the time of a scene.
+std::optional<EveryLoad> for_every_push(const FrictionProblem& problem);
+
 }  // namespace slipproof

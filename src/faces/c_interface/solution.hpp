@@ -7,8 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "contact/problem/every_push.hpp"
 #include "faces/c_interface/slipproof.h"
-#include "report/scenes/mechanism_report.hpp"
+#include "mechanics/scene/solve_mechanism.hpp"
 
 namespace slipproof::c {
 
@@ -43,9 +44,12 @@ Tables tables(const SolvedMechanism& solved);
 
 struct slipproof_solution {
   explicit slipproof_solution(slipproof::MechanismScene scene)
-      : solved(std::move(scene)), tables(slipproof::c::tables(solved)) {}
+      : solved(solve_mechanism(std::move(scene))),
+        every_q(for_every_push(solved.problem)),
+        tables(slipproof::c::tables(solved)) {}
 
   const slipproof::SolvedMechanism solved;
+  const std::optional<slipproof::EveryLoad> every_q;
   const slipproof::c::Tables tables;
   mutable std::once_flag json_written;
   mutable std::string json;

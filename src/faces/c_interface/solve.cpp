@@ -3,6 +3,7 @@
 #include "faces/c_interface/call.hpp"
 #include "faces/c_interface/solution.hpp"
 #include "mechanics/scene/scene.hpp"
+#include "report/scenes/mechanism_report.hpp"
 
 namespace slipproof::c {
 
@@ -46,7 +47,7 @@ void slipproof_solution_free(slipproof_solution* solution) {
 
 const char* slipproof_solution_json(const slipproof_solution* solution) {
   if (solution == nullptr) return nullptr;
-  const auto write = [&] { solution->json = slipproof::solve_json(solution->solved); };
+  const auto write = [&] { solution->json = slipproof::solve_json(solution->solved, solution->every_q); };
   try {
     std::call_once(solution->json_written, write);
     return solution->json.c_str();

@@ -3,6 +3,7 @@
 #include "base/number/binary64.hpp"
 #include "base/number/format.hpp"
 #include "faces/c_interface/solution.hpp"
+#include "report/scenes/mechanism_report.hpp"
 
 namespace slipproof::c {
 

@@ -95,7 +95,7 @@ own_flags=(-Wall -Wextra -DSLIPPROOF_SERIAL -DNDEBUG -DFMT_HEADER_ONLY -DSLIPPRO
   -isystem "$folder/installed/include" -isystem "$folder/headers")
 
 library() {
-  local header
+  local file header
   mkdir -p "$folder/headers"
   for header in boost eigen3/Eigen fmt nlohmann fast_float pugixml.hpp pugiconfig.hpp toml++; do
     ln -sfn "/usr/include/$header" "$folder/headers/$(basename "$header")"
@@ -109,11 +109,11 @@ library() {
     sed -n 's/^@SLIPPROOF_SHIPPED_MECHANISMS@//;T;:a;p;n;ba' "$src/mechanics/reading/shipped_texts.cpp.in"; } >"$folder/shipped.cpp"
   em++ "${flags[@]}" "${own_flags[@]}" -c "$folder/shipped.cpp" -o "$folder/shipped.o"
   wing base '^base/(algebra|expression|input|number|rounding)/|^base/output/json'
-  wing mechanics '^mechanics/(elements|kernel|mechanism|points|bodies|reading|scene)/'
+  wing mechanics '^mechanics/(elements|kernel|mechanism|points|bodies|reading|scene|planes)/'
   wing contact '^contact/problem/'
-  wing report '^report/(markup|document|values|picture|phase)/|scenes/mechanism|planes/(axis|mechanism|plane)|explorer/explorer[.]'
-  em++ "${flags[@]}" "${own_flags[@]}" -c "$here/main.cpp" -o "$folder/main.o"
-  em++ -fwasm-exceptions -O2 "$folder"/{main,report,contact,mechanics,base,shipped}.o "$folder"/installed/lib/lib{pugixml,flint,mpfr,gmp,c++16}.a \
+  wing report '^report/(markup|document|values|picture|phase)/|scenes/mechanism|explorer/portable'
+  for file in main explorer; do em++ "${flags[@]}" "${own_flags[@]}" -c "$here/$file.cpp" -o "$folder/$file.o"; done
+  em++ -fwasm-exceptions -O2 "$folder"/{main,explorer,report,contact,mechanics,base,shipped}.o "$folder"/installed/lib/lib{pugixml,flint,mpfr,gmp,c++16}.a \
     -nostdlib++ -lc++abi -lunwind-except -o "$folder/library.js" --no-entry \
     -sMODULARIZE=1 -sEXPORT_NAME=Library -sSINGLE_FILE=1 -sALLOW_MEMORY_GROWTH=1 -sENVIRONMENT=web,worker,node \
     -sEXPORTED_FUNCTIONS=_slipproof_open,_slipproof_answer -sEXPORTED_RUNTIME_METHODS=cwrap
@@ -136,7 +136,7 @@ sources() { fetch gmp mpfr4 flint pugixml llvm-toolchain-16; }
 
 mkdir -p "$folder/done" "$folder/installed/lib"
 for step in sources gmp mpfr flint libcxx pugixml; do once "$step"; done
-changed=$(find "$src/base" "$src/mechanics" "$src/contact/problem" "$src/report" "$here/main.cpp" "$here/build.sh" "$src/../cases/mechanisms" -newer "$folder/done/library" 2>/dev/null | head -1) || true
+changed=$(find "$src/base" "$src/mechanics" "$src/contact/problem" "$src/report" "$here"/*.?pp "$here/build.sh" "$src/../cases/mechanisms" -newer "$folder/done/library" 2>/dev/null | head -1) || true
 [[ -z $changed ]] || rm -f "$folder/done/library"
 once library
 page

@@ -6,7 +6,7 @@
 
 #include "base/output/json.hpp"
 #include "base/parallel/failure.hpp"
-#include "report/explorer/explorer.hpp"
+#include "faces/explorer/explorer.hpp"
 
 namespace {
 

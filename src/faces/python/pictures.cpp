@@ -7,9 +7,10 @@
 #include "base/output/output_file.hpp"
 #include "faces/python/bind.hpp"
 #include "faces/python/interruptible.hpp"
+#include "mechanics/planes/mechanism_plane.hpp"
 #include "mechanics/scene/scene.hpp"
 #include "report/phase/phase_svg.hpp"
-#include "report/planes/mechanism_plane.hpp"
+#include "report/planes/map_json.hpp"
 
 namespace slipproof::python {
 

@@ -7,6 +7,7 @@
 
 #include "base/input/diagnostic.hpp"
 #include "claims/uniqueness/along.hpp"
+#include "contact/problem/every_push.hpp"
 #include "faces/python/bind.hpp"
 #include "faces/python/interruptible.hpp"
 #include "faces/python/numbers.hpp"
@@ -14,7 +15,7 @@
 #include "mechanics/checks/show.hpp"
 #include "mechanics/reading/read_mechanism.hpp"
 #include "mechanics/reading/shipped.hpp"
-#include "mechanics/scene/scene.hpp"
+#include "mechanics/scene/solve_mechanism.hpp"
 #include "report/scenes/mechanism_report.hpp"
 #include "report/uniqueness/uniqueness_report.hpp"
 
@@ -37,16 +38,24 @@ bool is_short(const MechanismScene& scene) {
   return mode_count(element_kinds(scene.mechanism, scene.values.starts, scene.values.given)) <= few_modes;
 }
 
+struct Found {
+  SolvedMechanism solved;
+  std::optional<EveryLoad> every_q;
+
+  explicit Found(const MechanismScene& scene)
+      : solved(solve_mechanism(scene)), every_q(for_every_push(solved.problem)) {}
+};
+
 /// A scene with all its motions. Numbers are converted when they are requested.
 class Solution {
  public:
-  explicit Solution(std::unique_ptr<const SolvedMechanism> solved)
-      : solved_(std::move(solved)),
-        accelerations_(acceleration_names(solved_->scene.mechanism)),
-        forces_(force_names(solved_->scene.mechanism)) {}
+  explicit Solution(std::unique_ptr<const Found> found)
+      : found_(std::move(found)),
+        accelerations_(acceleration_names(found_->solved.scene.mechanism)),
+        forces_(force_names(found_->solved.scene.mechanism)) {}
 
-  std::string json() const { return solve_json(*solved_); }
-  std::string text(int digits) const { return text_of(solve_document(*solved_, digits)); }
+  std::string json() const { return solve_json(found_->solved, found_->every_q); }
+  std::string text(int digits) const { return text_of(solve_document(found_->solved, found_->every_q, digits)); }
 
   /// For each motion at the load: (modes, boundary modes, names of the numbers, ranges of the other forces). None if
   /// the scene has no load.
@@ -56,7 +65,7 @@ class Solution {
   py::list cells() const;
 
  private:
-  std::unique_ptr<const SolvedMechanism> solved_;
+  std::unique_ptr<const Found> found_;
   std::vector<std::string> accelerations_, forces_;
 };
 
@@ -82,9 +91,9 @@ py::dict named(const std::vector<std::string>& names, const Values& values) {
 }
 
 py::object Solution::motions() const {
-  if (!solved_->at_load) return py::none();
+  if (!found_->solved.at_load) return py::none();
   py::list list;
-  for (const MotionAtLoad& motion : solved_->at_load->motions) {
+  for (const MotionAtLoad& motion : found_->solved.at_load->motions) {
     py::list known = py::cast(accelerations_);
     py::dict ranges;
     for (std::size_t i = 0; i < forces_.size(); ++i) {
@@ -101,7 +110,7 @@ py::object Solution::motions() const {
 }
 
 py::tuple Solution::number(std::size_t index, const std::string& quantity) const {
-  const MotionAtLoad& motion = solved_->at_load->motions.at(index);
+  const MotionAtLoad& motion = found_->solved.at_load->motions.at(index);
   const auto place = [&](const std::vector<std::string>& names) {
     return static_cast<std::size_t>(std::find(names.begin(), names.end(), quantity) - names.begin());
   };
@@ -113,7 +122,7 @@ py::tuple Solution::number(std::size_t index, const std::string& quantity) const
 
 py::list Solution::cells() const {
   py::list cells;
-  for (const LoadCell& cell : solved_->cells) {
+  for (const LoadCell& cell : found_->solved.cells) {
     py::list motions;
     for (const MotionOverLoads& motion : cell.motions) {
       motions.append(py::make_tuple(names(motion.modes), names(motion.boundary_modes),
@@ -128,10 +137,10 @@ py::list Solution::cells() const {
 
 Solution solve(const MechanismScene& scene) {
   if (!is_short(scene)) {
-    return Solution(interruptible([scene](Call&) { return std::make_unique<const SolvedMechanism>(scene); }));
+    return Solution(interruptible([scene](Call&) { return std::make_unique<const Found>(scene); }));
   }
   const WithoutInterpreter released;
-  return Solution(std::make_unique<const SolvedMechanism>(scene));
+  return Solution(std::make_unique<const Found>(scene));
 }
 
 /// (document, text). An empty `x` stands for the usual parameter.

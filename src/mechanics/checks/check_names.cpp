@@ -22,7 +22,7 @@ class UsedSymbols {
     for (const MechanismLink& one : m.links) add(one.zero);
     for (const MechanismShape& one : m.shapes) {
       for (const auto& point : one.points) add(point);
-      add(one.radius);
+      add({one.radius, one.force});
     }
     add(m.energy);
     if (m.bodies) {

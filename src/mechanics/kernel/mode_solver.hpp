@@ -7,30 +7,10 @@
 #include <vector>
 
 #include "mechanics/kernel/mode_filter.hpp"
-#include "mechanics/kernel/polyhedron.hpp"
+#include "mechanics/kernel/motion.hpp"
 #include "mechanics/kernel/regular_modes.hpp"
 
 namespace slipproof {
-
-/// A mode with solutions.
-struct ConsistentMode {
-  MechanismMode mode;
-  Polyhedron solutions;
-  bool determined = false;  ///< all solutions for one load are one motion: no acceleration varies
-};
-
-/// A mode without a solution. No conditions: its equations have none. Where modes that begin alike were rejected
-/// together the reason is that of their beginning; mode_of gives the mode's own: one condition if one suffices.
-struct RejectedMode {
-  MechanismMode mode;
-  std::vector<ViolatedCondition> because;  ///< that exclude each other
-  std::optional<Rational> margin;          ///< of a condition that alone is violated by as much for all forces
-};
-
-struct ModesOf {
-  std::vector<ConsistentMode> consistent;
-  std::vector<RejectedMode> rejected;
-};
 
 /// A mode with its solutions; says whether they are one motion for each load.
 ConsistentMode consistent_mode(const FrictionProblem& problem, const MechanismMode& mode, Polyhedron solutions);

@@ -13,17 +13,9 @@
 #include "base/number/effort.hpp"
 #include "base/number/raw_fraction.hpp"
 #include "mechanics/elements/state_rows.hpp"
-#include "mechanics/kernel/affine_space.hpp"
+#include "mechanics/kernel/motion.hpp"
 
 namespace slipproof {
-
-/// One condition of a mode.
-struct ViolatedCondition {
-  std::size_t element;
-  ElementState state;
-  StateCondition condition;
-  bool operator==(const ViolatedCondition&) const = default;
-};
 
 class RegularModes {
  public:

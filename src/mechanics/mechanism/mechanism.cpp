@@ -7,7 +7,8 @@
 namespace slipproof {
 
 std::string_view name(MechanismShape::Kind kind) {
-  constexpr std::array<std::string_view, 6> names{"polygon", "line", "circle", "point", "arrow", "label"};
+  constexpr std::array<std::string_view, 8> names{"polygon", "line",  "circle",  "point",
+                                                  "arrow",   "label", "measure", "turn"};
   return names[static_cast<std::size_t>(kind)];
 }
 

@@ -130,11 +130,15 @@ struct MechanismLink {
 };
 
 struct MechanismShape {
-  enum class Kind : std::uint8_t { polygon, line, circle, point, arrow, label };
+  enum class Kind : std::uint8_t { polygon, line, circle, point, arrow, label, measure, turn };
   Kind kind = Kind::polygon;
   std::vector<std::vector<PlacedExpression>> points;  ///< two coordinates each, x to the right and y up
-  PlacedExpression radius;                            ///< of a circle
-  std::string text;                                   ///< of a label
+  PlacedExpression radius;                            ///< of a circle; of a turn, clockwise if negative
+  std::string text;                                   ///< of a label; the name of an arrow, measure or turn
+  PlacedExpression force;                             ///< that an arrow shows, positive along it
+  std::string acceleration;                           ///< that an arrow shows, one of acceleration_names()
+  bool still = false;                                 ///< left out of the picture of a motion
+  bool thin = false;                                  ///< drawn with a thin line
   Place place;
 };
 std::string_view name(MechanismShape::Kind kind);

@@ -67,6 +67,8 @@ class UseCheck {
     for (MechanismShape& shape : m.shapes) {
       for (auto& point : shape.points) all(point, "points");
       one(shape.radius, "radius", derived);
+      one(shape.force, "force", pushes);
+      if (!shape.acceleration.empty()) check_shown(shape);
     }
   }
 
@@ -85,6 +87,13 @@ class UseCheck {
     all(contact.at, "at");
     all(contact.direction, "direction");
     all(contact.slip_direction, "slip_direction");
+  }
+  void check_shown(const MechanismShape& shape) {
+    constexpr NameKinds shown = Kind::acceleration | Kind::quantity;
+    const auto entry = names_.find(shape.acceleration);
+    if (entry && contains(shown, entry->kind)) return;
+    context_.mistakes.add(shape.place,
+                          "acceleration: " + unknown_name("acceleration", shape.acceleration, names_.names(shown)));
   }
   void all(std::vector<PlacedExpression>& list, std::string_view key) {
     for (PlacedExpression& item : list) one(item, key, derived);

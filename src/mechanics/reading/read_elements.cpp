@@ -97,7 +97,8 @@ class ElementReader : public ElementParts {
   }
 
   void read_shape(const TomlValue& value) {
-    static constexpr std::array<std::string_view, 4> keys{"kind", "points", "radius", "text"};
+    static constexpr std::array<std::string_view, 8> keys{"kind",  "points",       "radius", "text",
+                                                          "force", "acceleration", "still",  "thin"};
     const TableReader table(value, "[[shape]]", keys, context_.mistakes);
     MechanismShape shape;
     shape.place = value.place;
@@ -111,15 +112,21 @@ class ElementReader : public ElementParts {
     }
     shape.radius = context_.expression(table, "radius", Sort::number);
     shape.text = context_.text(table, "text");
+    shape.force = context_.expression(table, "force", Sort::number);
+    shape.acceleration = context_.text(table, "acceleration");
+    shape.still = table.boolean("still").value_or(false);
+    shape.thin = table.boolean("thin").value_or(false);
     if (known && points != nullptr) check_shape(table, shape);
     mechanism_.shapes.push_back(std::move(shape));
   }
 
   bool read_kind(const TableReader& table, MechanismShape& shape) {
     using Kind = MechanismShape::Kind;
-    const std::string found = context_.required(table, "kind", "polygon, line, circle, point, arrow or label");
+    const std::string found =
+        context_.required(table, "kind", "polygon, line, circle, point, arrow, label, measure or turn");
     std::vector<std::string_view> words;
-    for (const Kind kind : {Kind::polygon, Kind::line, Kind::circle, Kind::point, Kind::arrow, Kind::label}) {
+    for (const Kind kind :
+         {Kind::polygon, Kind::line, Kind::circle, Kind::point, Kind::arrow, Kind::label, Kind::measure, Kind::turn}) {
       words.push_back(name(kind));
       shape.kind = kind;
       if (words.back() == found) return true;
@@ -131,23 +138,26 @@ class ElementReader : public ElementParts {
   /// How many points a shape has, and what else it needs.
   void check_shape(const TableReader& table, const MechanismShape& shape) {
     using Kind = MechanismShape::Kind;
-    const bool many = shape.kind == Kind::polygon || shape.kind == Kind::line;
-    const std::size_t needed = shape.kind == Kind::polygon                             ? 3
-                               : shape.kind == Kind::line || shape.kind == Kind::arrow ? 2
-                                                                                       : 1;
+    const bool many = shape.kind == Kind::polygon || shape.kind == Kind::line, measure = shape.kind == Kind::measure;
+    const bool two = shape.kind == Kind::line || shape.kind == Kind::arrow || measure;
+    const std::size_t needed = shape.kind == Kind::polygon ? 3 : two ? 2 : 1;
     const std::size_t count = shape.points.size();
-    if (count < needed || (!many && count > needed)) {
+    if (count < needed || (!many && count > needed && !(measure && count == 4))) {
       table.refuse("points", "found " + std::to_string(count) + " for a " + std::string(name(shape.kind)) +
-                                 ", expected " + std::to_string(needed) + (many ? " or more" : ""));
+                                 ", expected " + std::to_string(needed) +
+                                 (many      ? " or more"
+                                  : measure ? ", or 4 with those measured"
+                                            : ""));
     }
-    const auto belongs = [&](std::string_view key, Kind kind, std::string_view what) {
-      if (shape.kind == kind) table.require(key, what);
-      if (shape.kind != kind && table.has(key)) {
-        table.refuse(key, "a " + std::string(name(shape.kind)) + " has none");
-      }
+    const auto belongs = [&](std::string_view key, std::initializer_list<Kind> kinds, std::string_view what) {
+      const bool has = std::ranges::find(kinds, shape.kind) != kinds.end();
+      if (has && !what.empty()) table.require(key, what);
+      if (!has && table.has(key)) table.refuse(key, "a " + std::string(name(shape.kind)) + " has none");
     };
-    belongs("radius", Kind::circle, "the radius of the circle");
-    belongs("text", Kind::label, "the text of the label");
+    belongs("radius", {Kind::circle, Kind::turn}, "the radius");
+    if (shape.kind != Kind::arrow) belongs("text", {Kind::label, Kind::measure, Kind::turn}, "the text beside it");
+    belongs("force", {Kind::arrow}, "");
+    belongs("acceleration", {Kind::arrow}, "");
   }
 };
 

@@ -172,6 +172,10 @@ class MechanismWriter {
     line("points", array(points));
     if (s.radius) line("radius", quoted(s.radius));
     if (!s.text.empty()) line("text", toml_string(s.text));
+    if (s.force) line("force", quoted(s.force));
+    if (!s.acceleration.empty()) line("acceleration", toml_string(s.acceleration));
+    if (s.still) line("still", "true");
+    if (s.thin) line("thin", "true");
   }
 
   const Mechanism& m_;

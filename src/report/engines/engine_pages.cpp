@@ -41,9 +41,8 @@ class EnginePages {
     }
     for (std::size_t i = 0; i < judged_.scenes.size(); ++i) {
       const EngineScene& scene = judged_.scenes[i];
-      write_(scene.name + ".html", page(scene.scene.name, scene.scene.question, "../", [&](const Element& main) {
-               add_scene(main, scene, results_.expected[i].solved);
-             }));
+      write_(scene.name + ".html", page(scene.scene.name, scene.scene.question, "../",
+                                        [&](const Element& main) { add_scene(main, scene, results_.expected[i]); }));
     }
   }
 
@@ -244,12 +243,12 @@ class EnginePages {
     return found == scene.answers.end() ? ReportCell("") : verdict_cell(*found, href + "#engines");
   }
 
-  void add_scene(const Element& main, const EngineScene& scene, const SolvedMechanism& solved) const {
+  void add_scene(const Element& main, const EngineScene& scene, const ExpectedAnswer& answer) const {
     const Element top = add_title(main, class_title(scene.class_name()), scene.scene.name);
     if (!scene.scene.question.empty()) top.add("p", "lead").text(scene.scene.question);
     if (!scene.scene.asked.empty()) top.add("p", "how").text("Asked: " + scene.scene.asked + ".");
-    const MotionAtLoad* first =
-        solved.at_load && !solved.at_load->motions.empty() ? &solved.at_load->motions.front() : nullptr;
+    const auto& found = answer.solved.at_load;
+    const MotionAtLoad* first = found && !found->motions.empty() ? &found->motions.front() : nullptr;
     if (has_picture(scene.scene.mechanism)) {
       const Element figure = top.add("figure", "plot");
       add_mechanism(figure, scene.scene, first, scene.scene.name);
@@ -260,7 +259,7 @@ class EnginePages {
       top.add("p", "explore").add("a").set("href", link).text(explorer_words);
     }
     const Element exact = add_section(main, "exact", "Every motion, exactly");
-    add_document(exact, solve_document(solved, 6).as_part());
+    add_document(exact, solve_document(answer.solved, answer.every_q, 6).as_part());
     add_answers(main, scene);
   }
 

@@ -4,20 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "claims/uniqueness/motion_changes.hpp"
-#include "report/scenes/mechanism_report.hpp"
+#include "claims/uniqueness/expected_answer.hpp"
 
 namespace slipproof {
-
-struct ExpectedAnswer {
-  std::string id;                     ///< by which tests call the scene: its file's name without the extension
-  SolvedMechanism solved;             ///< with its motions at the load
-  std::vector<MotionChange> changes;  ///< along the parameter of the scene's [threshold], if it has one
-};
-
-/// Solves a scene and follows its threshold. Throws InputError for a load without a value, and for a threshold that
-/// cannot be followed.
-ExpectedAnswer expected_answer(MechanismScene scene, const std::string& id);
 
 /// Schema slipproof/expected/1 (cases/engines/README.md): one document, or for several scenes an array of them. Numbers
 /// are exact, and the nearest binary64.

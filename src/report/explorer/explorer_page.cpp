@@ -5,7 +5,7 @@
 #include "base/input/diagnostic.hpp"
 #include "base/output/json.hpp"
 #include "base/output/percent.hpp"
-#include "report/explorer/explorer.hpp"
+#include "report/explorer/portable_scene.hpp"
 
 namespace slipproof {
 

@@ -58,7 +58,7 @@ void add_worst_motions(const Element& parent, const ClaimResult& worst) {
     const Element box = row.add("div", "motion");
     const std::string modes = modes_text(motion);
     box.add("p", "motion-name").add("b").text(modes);
-    add_motion(box, e.scene, &motion, "The motion " + modes + ", with its forces", look);
+    add_mechanism(box, e.scene, &motion, "The motion " + modes + ", with its forces", look);
   }
 }
 

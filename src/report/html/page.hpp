@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "claims/planes/figures.hpp"
 #include "claims/uniqueness/scene_along.hpp"
 #include "claims/verify/verify.hpp"
 #include "floating/trade/trade.hpp"
 #include "mechanics/scene/scene.hpp"
 #include "report/html/second_opinions.hpp"
 #include "report/html/solvers.hpp"
-#include "report/planes/figures.hpp"
 
 namespace slipproof {
 

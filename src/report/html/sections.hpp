@@ -5,13 +5,13 @@
 #include <string_view>
 #include <vector>
 
+#include "mechanics/planes/phase_diagram.hpp"
 #include "report/document/document.hpp"
 #include "report/html/frame.hpp"
 #include "report/html/page.hpp"
 #include "report/markup/element.hpp"
 #include "report/papers/explain.hpp"
 #include "report/papers/prose.hpp"
-#include "report/phase/phase_diagram.hpp"
 
 namespace slipproof {
 

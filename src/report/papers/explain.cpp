@@ -7,8 +7,7 @@
 
 #include "base/number/format.hpp"
 #include "claims/paper/setting_names.hpp"
-#include "claims/sampling/sampler.hpp"
-#include "claims/sampling/solved_sample.hpp"
+#include "claims/sampling/force_domain.hpp"
 #include "mechanics/points/degrees.hpp"
 #include "mechanics/scene/scene.hpp"
 
@@ -32,22 +31,6 @@ bool depends_on_force(const Setting& setting, const Claim& claim, Reading readin
   return example.judgement.mode || is_about_motions(claim) ||
          std::any_of(all.begin(), all.end(),
                      [&](const Expression& e) { return names.depends(e, reading, setting.force.symbol); });
-}
-
-/// Whether there is a sample at which the forces of the setting's domain are known, and are no interval.
-bool domain_is_no_interval(const Setting& setting) {
-  constexpr std::uint64_t enough = 30, seed = 1;
-  const CompiledSetting compiled(setting);
-  const Sampler sampler(compiled, seed);
-  for (std::uint64_t i = 0; i < enough; ++i) {
-    std::vector<Rational> values = sampler.at(i);
-    if (values.empty()) continue;
-    const auto sample = SolvedSample::make(compiled, std::move(values));
-    if (!sample || sample->force_domain()) continue;
-    const auto known = [](const TruthCell& cell) { return cell.truth == Truth::yes || cell.truth == Truth::no; };
-    if (std::ranges::all_of(sample->over_forces(compiled.force_domain()), known)) return true;
-  }
-  return false;
 }
 
 class Explanation {

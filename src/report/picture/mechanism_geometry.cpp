@@ -49,13 +49,10 @@ class GeometryReader {
       at_.set(maker_.compiled().load(), scene.load.value_or(positive ? Rational(1) : Rational(-1)));
   }
 
-  MechanismGeometry read() {
+  MechanismGeometry read(bool still) {
     MechanismGeometry geometry;
     for (const MechanismShape& shape : scene_.mechanism.shapes) {
-      MechanismGeometry::Outline outline{shape.kind, {}, 0, shape.text};
-      for (const auto& point : shape.points) outline.points.push_back(pair(point));
-      if (shape.radius) outline.radius = std::abs(number(shape.radius));
-      geometry.outlines.push_back(std::move(outline));
+      if (still || !shape.still) this->shape(shape, geometry);
     }
     for (std::size_t i = 0; i < scene_.mechanism.contacts.size(); ++i) {
       if (!scene_.mechanism.contacts[i].at.empty()) geometry.contacts.push_back(contact(i));
@@ -67,6 +64,33 @@ class GeometryReader {
   }
 
  private:
+  void shape(const MechanismShape& shape, MechanismGeometry& geometry) {
+    std::vector<Point> points;
+    for (const auto& point : shape.points) points.push_back(pair(point));
+    if (shape.force || !shape.acceleration.empty()) {
+      const Point along = unit({points[1][0] - points[0][0], points[1][1] - points[0][1]});
+      return shape.force ? add_push(shape, points[0], along, geometry)
+                         : add_acceleration(shape, points[0], along, geometry);
+    }
+    double radius = shape.radius ? number(shape.radius) : 0;
+    if (shape.kind == MechanismShape::Kind::circle) radius = std::abs(radius);
+    geometry.outlines.push_back({shape.kind, std::move(points), radius, shape.text, shape.thin});
+  }
+
+  void add_push(const MechanismShape& shape, Point at, Point along, MechanismGeometry& geometry) {
+    const double size = number(shape.force);
+    if (size == 0) return;
+    const auto [name, value] = text_of(shape.force);
+    geometry.pushes.push_back(
+        {at, size < 0 ? opposite(along) : along, std::abs(size), shape.text.empty() ? name : shape.text, value, true});
+  }
+
+  void add_acceleration(const MechanismShape& shape, Point at, Point along, MechanismGeometry& geometry) {
+    const auto names = acceleration_names(scene_.mechanism);
+    const auto index = static_cast<std::size_t>(std::ranges::find(names, shape.acceleration) - names.begin());
+    geometry.accelerations.push_back({at, along, index, shape.text.empty() ? shape.acceleration : shape.text});
+  }
+
   /// An arrow with the symbol of the load, a force, at one end shows the load, and acts at its other end.
   void take_load_arrows(MechanismGeometry& geometry) {
     using Kind = MechanismShape::Kind;
@@ -167,6 +191,7 @@ class GeometryReader {
     }
     for (auto& contact : geometry.contacts) turn(contact.at), turn(contact.normal), turn(contact.along);
     for (auto& push : geometry.pushes) turn(push.at), turn(push.along);
+    for (auto& acceleration : geometry.accelerations) turn(acceleration.at), turn(acceleration.along);
     for (auto& weight : geometry.weights) turn(weight.at);
     for (auto& movement : geometry.movements) turn(movement.at), turn(movement.velocity);
     geometry.turned = std::atan2(sine, cosine);
@@ -229,8 +254,8 @@ class GeometryReader {
 
 }  // namespace
 
-MechanismGeometry geometry_of(const MechanismScene& scene) {
-  return GeometryReader(scene).read();
+MechanismGeometry geometry_of(const MechanismScene& scene, bool still) {
+  return GeometryReader(scene).read(still);
 }
 
 }  // namespace slipproof

@@ -16,8 +16,9 @@ struct MechanismGeometry {
   struct Outline {
     MechanismShape::Kind kind;
     std::vector<Point> points;
-    double radius = 0;
+    double radius = 0;  ///< of a turn, clockwise if negative
     std::string text;
+    bool thin = false;
   };
   struct Contact {
     std::size_t index;  ///< among the mechanism's contacts
@@ -33,6 +34,13 @@ struct MechanismGeometry {
     std::string name;     ///< as the file writes it, without its sign
     std::string value;    ///< of what is called so: `= 3`; empty where the name is a number, or the load has no value
     bool begins = false;  ///< the arrow begins at the place, and does not end there
+  };
+  /// An acceleration that an arrow of the file shows.
+  struct Acceleration {
+    Point at;
+    Point along;        ///< of length 1, where it is positive
+    std::size_t index;  ///< among acceleration_names()
+    std::string name;
   };
   struct Weight {
     Point at;
@@ -50,7 +58,8 @@ struct MechanismGeometry {
   std::vector<Outline> outlines;
   std::vector<Contact> contacts;  ///< only contacts that have a place
   std::vector<Push> pushes;       ///< those that are not 0
-  std::vector<Weight> weights;    ///< of bodies, downwards
+  std::vector<Acceleration> accelerations;
+  std::vector<Weight> weights;  ///< of bodies, downwards
   std::vector<Movement> movements;
   double turned = 0;  ///< by this angle, counterclockwise
 };
@@ -58,7 +67,7 @@ struct MechanismGeometry {
 /// `= 3`; `≈ 2.236`.
 std::string rounded_value(double x);
 
-/// Throws InputError if a coordinate has no value in the scene.
-MechanismGeometry geometry_of(const MechanismScene& scene);
+/// With the shapes that are `still` if no motion is drawn. Throws InputError if a coordinate has no value in the scene.
+MechanismGeometry geometry_of(const MechanismScene& scene, bool still);
 
 }  // namespace slipproof

@@ -18,6 +18,7 @@
 #include "report/picture/drawing.hpp"
 #include "report/picture/labels/contact_table.hpp"
 #include "report/picture/labels/picture_labels.hpp"
+#include "report/picture/measures.hpp"
 #include "report/picture/mechanism_geometry.hpp"
 #include "report/picture/motion_words.hpp"
 #include "report/picture/palette.hpp"
@@ -30,7 +31,7 @@ namespace {
 using ShapeKind = MechanismShape::Kind;
 
 constexpr double drawn_width = 270, drawn_height = 220, least_width = 360, widest = 456, longest_force = 72,
-                 surface = 30, letter_width = 0.62, text_line = 17, free_margin = 10, opening = 9;
+                 surface = 30, letter_width = 0.62, text_line = 17, free_margin = 10, opening = 14;
 /// Of pictures of many contacts.
 constexpr double large_width = 420, large_height = 400;
 
@@ -42,7 +43,7 @@ class MechanismDrawing {
         motion_(motion),
         look_(look),
         numbers_(look.numbers ? *look.numbers : NumberWords(shown_numbers(scene, motion))),
-        geometry_(geometry_of(scene)) {
+        geometry_(geometry_of(scene, motion == nullptr)) {
     fit();
   }
 
@@ -61,6 +62,7 @@ class MechanismDrawing {
       const MechanismGeometry::Contact& contact = geometry_.contacts[i];
       labels_.words({view_.pixel(contact.at)},
                     lettered() ? contact_letter(i) : contact_text(scene_, motion_, contact.index));
+      if (lifts(contact)) opened(contact);
     }
     for (const LabelBox& box : labels_.draw(svg_)) see(box);
     if (lettered()) table();
@@ -118,13 +120,14 @@ class MechanismDrawing {
               std::max(all->right, p[0] + radius), std::max(all->bottom, p[1] + radius)};
     };
     for (const MechanismGeometry::Outline& outline : geometry_.outlines) {
-      for (const Point& p : outline.points) add(p, outline.radius);
+      for (const Point& p : outline.points) add(p, std::abs(outline.radius));
     }
     for (const MechanismGeometry::Contact& contact : geometry_.contacts) add(contact.at, 0);
     const double across = all->right - all->left, up = all->bottom - all->top;
     view_.middle = {(all->left + all->right) / 2, (all->top + all->bottom) / 2};
     if (across > 0 || up > 0) {
-      const double width = lettered() ? large_width : drawn_width, height = lettered() ? large_height : drawn_height;
+      const bool large = lettered() || measured();
+      const double width = large ? large_width : drawn_width, height = large ? large_height : drawn_height;
       view_.scale = std::min(across > 0 ? width / across : height / up, up > 0 ? height / up : width / across);
     }
     const Point corner = view_.pixel({all->left, all->bottom}), other = view_.pixel({all->right, all->top});
@@ -132,6 +135,9 @@ class MechanismDrawing {
     labels_.keep_between(-widest / 2, widest / 2);
   }
 
+  bool measured() const {
+    return std::ranges::any_of(geometry_.outlines, [](const auto& one) { return one.kind == ShapeKind::measure; });
+  }
   bool lettered() const { return geometry_.contacts.size() >= fewest_lettered; }
   /// The least distance of two contacts, in pixels.
   double closest() const {
@@ -147,10 +153,7 @@ class MechanismDrawing {
   bool lifts(const MechanismGeometry::Contact& contact) const {
     return motion_ != nullptr && common_state(*motion_, contact.index) == name(ElementState::lift);
   }
-  void see(const LabelBox& box) {
-    box_ = {std::min(box_.left, box.left), std::min(box_.top, box.top), std::max(box_.right, box.right),
-            std::max(box_.bottom, box.bottom)};
-  }
+  void see(const LabelBox& box) { box_ = box_.around(box); }
   void see(Point p) { see({p[0], p[1], p[0], p[1]}); }
 
   void line(Point from, Point to, std::string_view css, double weight) {
@@ -170,24 +173,41 @@ class MechanismDrawing {
     labels_.avoid(LabelBox{at[0] - 4, at[1] - 4, at[0] + 4, at[1] + 4});
   }
 
+  /// The acceleration with which a contact opens.
+  void opened(const MechanismGeometry::Contact& contact) {
+    const std::string& name = scene_.mechanism.contacts[contact.index].gap_name;
+    const std::string value = numbers_.value(motion_->accelerations[gap_index(scene_.mechanism, contact.index)]);
+    described_.push_back(name + " " + value);
+    if (!lettered()) labels_.symbol({view_.pixel(contact.at)}, name, value);
+  }
+
   void outline(const MechanismGeometry::Outline& outline) {
+    const std::string_view css = outline.thin ? "chain" : "body";
     std::vector<Pixel> pixels;
     for (const Point& p : outline.points) pixels.push_back({view_.pixel(p)[0], view_.pixel(p)[1]});
     switch (outline.kind) {
       case ShapeKind::polygon:
-        svg_.add("path", "body").set("d", closed_path_of(pixels));
+        svg_.add("path", css).set("d", closed_path_of(pixels));
         pixels.push_back(pixels.front());
         break;
       case ShapeKind::line:
-        svg_.add("path", "body").set("d", path_of(pixels));
+        svg_.add("path", css).set("d", path_of(pixels));
         break;
       case ShapeKind::circle:
-        svg_.add("circle", "body").set("cx", pixels[0].x).set("cy", pixels[0].y).set("r", view_.scale * outline.radius);
+        svg_.add("circle", css).set("cx", pixels[0].x).set("cy", pixels[0].y).set("r", view_.scale * outline.radius);
         pixels = round(pixels[0], view_.scale * outline.radius);
         break;
       case ShapeKind::point:
         svg_.add("circle", "ink").set("cx", pixels[0].x).set("cy", pixels[0].y).set("r", 2.5);
         break;
+      case ShapeKind::measure: {
+        std::vector<Point> places;
+        for (const Point& p : outline.points) places.push_back(view_.pixel(p));
+        return add_measure(svg_, places, outline.text, labels_);
+      }
+      case ShapeKind::turn:
+        return add_named_turn(svg_, view_.pixel(outline.points[0]), view_.scale * outline.radius, outline.text,
+                              labels_);
       case ShapeKind::arrow:
       case ShapeKind::label:
         return;  // drawn later
@@ -226,7 +246,9 @@ class MechanismDrawing {
     if (geometry_.movements.size() > most_named)
       std::ranges::copy(movement_words(geometry_), std::back_inserter(notes));
     if (motion_ == nullptr) notes.emplace_back("arrows show positive directions, not to scale");
-    if (motion_ != nullptr && !scene_.mechanism.bodies) notes.emplace_back("the file has no weights to draw");
+    const bool forces = std::ranges::any_of(scene_.mechanism.shapes, [](const auto& one) { return bool(one.force); });
+    if (motion_ != nullptr && !scene_.mechanism.bodies && !forces)
+      notes.emplace_back("the file has no weights to draw");
     const bool slides = std::ranges::any_of(scene_.values.starts, [](ElementKind::Start start) {
       return start == ElementKind::Start::slides_forward || start == ElementKind::Start::slides_backward;
     });
@@ -256,12 +278,12 @@ void expect_picture(const MechanismScene& scene) {
                          " has no picture, expected a [[shape]], or a contact that says where it is with `at`"}});
 }
 
+}  // namespace
+
 std::string view_box(const LabelBox& box) {
   return fmt::format("{} {} {} {}", short_number(box.left), short_number(box.top), short_number(box.right - box.left),
                      short_number(box.bottom - box.top));
 }
-
-}  // namespace
 
 bool has_picture(const Mechanism& mechanism) {
   return !mechanism.shapes.empty() || std::any_of(mechanism.contacts.begin(), mechanism.contacts.end(),
@@ -277,11 +299,11 @@ double picture_height(const MechanismScene& scene, double usual) {
 }
 
 double largest_force(const MechanismScene& scene, const MotionAtLoad& motion) {
-  return largest_arrow(scene, motion, geometry_of(scene));
+  return largest_arrow(scene, motion, geometry_of(scene, false));
 }
 
 Element add_mechanism(const Element& parent, const MechanismScene& scene, const MotionAtLoad* motion,
-                      std::string_view title, const CommonLook& look) {
+                      std::string_view title, const CommonLook& look, LabelBox* seen) {
   expect_picture(scene);
   const Element svg = parent.add("svg", "mechanism").set("xmlns", "http://www.w3.org/2000/svg").set("role", "img");
   svg.add("title").text(title);
@@ -291,6 +313,7 @@ Element add_mechanism(const Element& parent, const MechanismScene& scene, const 
   drawing.caption();
   description.text(drawing.description());
   svg.set("viewBox", view_box(drawing.box()));
+  if (seen != nullptr) *seen = drawing.box();
   return svg;
 }
 

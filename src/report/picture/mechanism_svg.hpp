@@ -5,9 +5,10 @@
 #include <string>
 #include <string_view>
 
-#include "mechanics/kernel/motions.hpp"
+#include "mechanics/kernel/motion.hpp"
 #include "mechanics/scene/scene.hpp"
 #include "report/markup/element.hpp"
+#include "report/picture/labels/label_placer.hpp"
 #include "report/picture/motion_words.hpp"
 
 namespace slipproof {
@@ -36,8 +37,10 @@ double picture_height(const MechanismScene& scene, double usual);
 /// positive directions. From eight contacts on, letters name them and a table below says the rest. Forces and contacts
 /// without a place are listed below the drawing. Everything is inside the viewBox. Needs picture_style() in the
 /// document. Throws InputError if the mechanism has no picture, or if a coordinate has no value.
+/// `seen` becomes the box of its viewBox.
 Element add_mechanism(const Element& parent, const MechanismScene& scene, const MotionAtLoad* motion,
-                      std::string_view title, const CommonLook& look = {});
+                      std::string_view title, const CommonLook& look = {}, LabelBox* seen = nullptr);
+std::string view_box(const LabelBox& box);
 
 /// The same as an SVG file of its own, with a title, and with a background for light and dark displays.
 std::string mechanism_svg_file(const MechanismScene& scene, const MotionAtLoad* motion);

@@ -79,9 +79,24 @@ std::string counted_motions(const MotionsAtLoad& found) {
   return text;
 }
 
+std::size_t gap_index(const Mechanism& mechanism, std::size_t contact) {
+  std::size_t index = mechanism.accelerations;
+  for (std::size_t i = 0; i < contact; ++i) index += mechanism.contacts[i].slip ? 2 : 1;
+  return index;
+}
+
 std::vector<Range> shown_numbers(const MechanismScene& scene, const MotionAtLoad* motion) {
   std::vector<Range> shown;
-  if (motion != nullptr) shown = motion->forces;
+  if (motion != nullptr) {
+    shown = motion->forces;
+    const auto names = acceleration_names(scene.mechanism);
+    for (const MechanismShape& shape : scene.mechanism.shapes) {
+      if (shape.acceleration.empty()) continue;
+      const auto at = std::ranges::find(names, shape.acceleration) - names.begin();
+      const Rational& value = motion->accelerations[static_cast<std::size_t>(at)];
+      shown.push_back({value, value});
+    }
+  }
   if (scene.mechanism.load && scene.load) shown.push_back({scene.load, scene.load});
   return shown;
 }

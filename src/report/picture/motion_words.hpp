@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mechanics/kernel/motions.hpp"
+#include "mechanics/kernel/motion.hpp"
 #include "mechanics/scene/scene.hpp"
 
 namespace slipproof {
@@ -33,7 +33,10 @@ class NumberWords {
 /// `2 motions`; `1 continuum of motions, with 2 motions of other modes in it`; `1 motion, 2 continua of motions`.
 std::string counted_motions(const MotionsAtLoad& found);
 
-/// The load, and the forces of a motion: what its picture shows.
+/// Where the acceleration of a contact's gap is among acceleration_names().
+std::size_t gap_index(const Mechanism& mechanism, std::size_t contact);
+
+/// The load, the forces of a motion, and the accelerations that have an arrow: what its picture shows.
 std::vector<Range> shown_numbers(const MechanismScene& scene, const MotionAtLoad* motion);
 
 /// The state of an element if it is the same in all modes of a motion; otherwise empty.

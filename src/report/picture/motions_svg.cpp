@@ -4,14 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "base/number/format.hpp"
-#include "mechanics/scene/bicycle_scene.hpp"
 #include "report/markup/number.hpp"
 #include "report/markup/symbol.hpp"
-#include "report/picture/bicycle_svg.hpp"
-#include "report/picture/drawing.hpp"
 #include "report/picture/mechanism_svg.hpp"
 #include "report/picture/palette.hpp"
 
@@ -20,39 +18,6 @@ namespace slipproof {
 namespace {
 
 constexpr double panel_width = 380, panel_height = 330, edge = 14;
-
-void add_text(const Element& svg, Point at, double size, std::string_view css, const std::string& words) {
-  svg.add("text", css).set("x", at[0]).set("y", at[1]).set("font-size", size).text(words);
-}
-
-/// Where every contact is in one state, that state; a bicycle's picture does not name its contacts.
-std::string in_words(const MechanismScene& scene, const MotionAtLoad& motion) {
-  std::vector<std::string> words;
-  for (std::size_t i = 0; i < scene.mechanism.contacts.size(); ++i) words.push_back(contact_text(scene, &motion, i));
-  return fmt::format("{}", fmt::join(words, ", "));
-}
-
-/// The root of a file, on which the size is set once it is known.
-struct PictureFile {
-  ElementTree document{"svg"};
-  Element svg, ground;
-
-  explicit PictureFile(const std::string& title) : svg(document.root()), ground(begin(svg, title)) {}
-
-  static Element begin(const Element& svg, const std::string& title) {
-    svg.set("xmlns", "http://www.w3.org/2000/svg").set("role", "img");
-    svg.add("title").text(title);
-    svg.add("style").code(picture_style());
-    svg.set("font-family", "system-ui, 'DejaVu Sans', sans-serif");
-    return svg.add("rect", "paper");
-  }
-  std::string xml(double across, double down) const {
-    ground.set("width", across).set("height", down);
-    svg.set("viewBox", fmt::format("0 0 {} {}", short_number(across), short_number(down)));
-    svg.set("width", across).set("height", down);
-    return document.xml();
-  }
-};
 
 class MotionsPicture {
  public:
@@ -68,7 +33,9 @@ class MotionsPicture {
   void draw() {
     text({edge, edge + 18}, 18, "ink", scene_.name);
     text({edge, edge + 38}, 14, "soft", below_title());
-    for (std::size_t i = 0; i < panels(); ++i) panel(i);
+    for (std::size_t i = 0; i < panels(); ++i) draw(i);
+    height_ = std::min(height_, width * (seen_->bottom - seen_->top) / (seen_->right - seen_->left));
+    for (std::size_t i = 0; i < panels(); ++i) place(i);
   }
 
   double whole_width() const {
@@ -77,14 +44,14 @@ class MotionsPicture {
   }
   double whole_height() const {
     const auto rows = static_cast<double>((panels() + columns - 1) / columns);
-    return edge + title_height + rows * (heading_height + height_);
+    return edge + title_height + rows * row_height();
   }
 
  private:
   static constexpr std::size_t columns = 3;
-  static constexpr double width = panel_width, between = 16, title_height = 60, heading_height = 46;
+  static constexpr double width = panel_width, between = 16, title_height = 60, heading_height = 28;
 
-  bool bicycle() const { return is_bicycle(scene_.mechanism); }
+  double row_height() const { return heading_height + height_ + between; }
   std::size_t panels() const { return std::max<std::size_t>(motions_.size(), 1); }
 
   std::string below_title() const {
@@ -98,23 +65,30 @@ class MotionsPicture {
     return fmt::format("{}", fmt::join(parts, ", "));
   }
 
-  void panel(std::size_t i) {
+  const MotionAtLoad* motion(std::size_t i) const { return i < motions_.size() ? &motions_[i] : nullptr; }
+  std::string title(std::size_t i) const {
+    if (motion(i) == nullptr) return "no motion";
+    return fmt::format("{}: {}{}", i + 1, modes_text(*motion(i)), i < single_ ? "" : " (continuum)");
+  }
+
+  void draw(std::size_t i) {
+    LabelBox seen;
+    pictures_.push_back(add_mechanism(svg_, scene_, motion(i), title(i), look_, &seen));
+    seen_ = seen_ ? seen_->around(seen) : seen;
+  }
+
+  /// All with one viewBox: what does not move is in the same place.
+  void place(std::size_t i) const {
     const Point at{edge + static_cast<double>(i % columns) * (width + between),
-                   edge + title_height + static_cast<double>(i / columns) * (heading_height + height_)};
-    const MotionAtLoad* motion = i < motions_.size() ? &motions_[i] : nullptr;
-    std::string title = "no motion";
-    if (motion != nullptr) {
-      title = fmt::format("{}: {}{}", i + 1, modes_text(*motion), i < single_ ? "" : " (continuum)");
-      text({at[0], at[1] + 16}, 16, "ink", title);
-      if (bicycle()) text({at[0], at[1] + 36}, 13, "soft", in_words(scene_, *motion));
-    }
-    const Element picture = add_motion(svg_, scene_, motion, title, look_);
-    picture.set("x", at[0]).set("y", at[1] + heading_height).set("width", width).set("height", height_ - between);
-    picture.set("preserveAspectRatio", "xMidYMin meet");
+                   edge + title_height + static_cast<double>(i / columns) * row_height()};
+    if (motion(i) != nullptr) text({at[0], at[1] + 16}, 16, "ink", title(i));
+    const Element& picture = pictures_[i];
+    picture.set("x", at[0]).set("y", at[1] + heading_height).set("width", width).set("height", height_);
+    picture.set("viewBox", view_box(*seen_)).set("preserveAspectRatio", "xMidYMin meet");
   }
 
   void text(Point at, double size, std::string_view css, const std::string& words) const {
-    add_text(svg_, at, size, css, words);
+    svg_.add("text", css).set("x", at[0]).set("y", at[1]).set("font-size", size).text(words);
   }
 
   const Element svg_;
@@ -123,7 +97,9 @@ class MotionsPicture {
   const std::vector<MotionAtLoad> motions_;
   const std::size_t single_;  ///< of motions_, those before the continua
   const CommonLook look_;
-  const double height_;
+  double height_;  ///< of a picture
+  std::vector<Element> pictures_;
+  std::optional<LabelBox> seen_;  ///< of all pictures
 };
 
 }  // namespace
@@ -143,46 +119,32 @@ std::vector<MotionAtLoad> drawn_motions(const MotionsAtLoad& found) {
 }
 
 CommonLook common_look(const MechanismScene& scene, const std::vector<MotionAtLoad>& motions) {
-  const bool bicycle = is_bicycle(scene.mechanism);
   std::vector<Range> numbers;
   CommonLook look;
   for (const MotionAtLoad& motion : motions) {
-    const std::vector<Range> shown = bicycle ? bicycle_numbers(scene, &motion) : shown_numbers(scene, &motion);
+    const std::vector<Range> shown = shown_numbers(scene, &motion);
     numbers.insert(numbers.end(), shown.begin(), shown.end());
-    if (!bicycle) look.largest_force = std::max(look.largest_force, largest_force(scene, motion));
+    look.largest_force = std::max(look.largest_force, largest_force(scene, motion));
   }
   look.numbers.emplace(numbers);
   look.brief = true;
   return look;
 }
 
-Element add_motion(const Element& parent, const MechanismScene& scene, const MotionAtLoad* motion,
-                   std::string_view title, const CommonLook& look) {
-  return is_bicycle(scene.mechanism) ? add_bicycle(parent, scene, motion, title, look.numbers)
-                                     : add_mechanism(parent, scene, motion, title, look);
-}
-
-std::string motion_svg_file(const MechanismScene& scene, const MotionAtLoad& motion) {
-  if (!is_bicycle(scene.mechanism)) return mechanism_svg_file(scene, &motion);
-  constexpr double scale = 1.6, heading = 88;
-  const std::string modes = modes_text(motion);
-  const PictureFile file(scene.name + ": " + modes);
-  add_text(file.svg, {edge, 30}, 22, "ink", scene.name);
-  add_text(file.svg, {edge, 54}, 18, "soft", modes);
-  add_text(file.svg, {edge, 78}, 18, "soft", in_words(scene, motion));
-  add_bicycle(file.svg, scene, &motion, modes)
-      .set("x", edge)
-      .set("y", heading)
-      .set("width", scale * panel_width)
-      .set("height", scale * (panel_height - edge));
-  return file.xml(scale * panel_width + 2 * edge, heading + scale * (panel_height - edge) + edge);
-}
-
 std::string motions_svg_file(const MechanismScene& scene, const MotionsAtLoad& found) {
-  const PictureFile file(scene.name);
-  MotionsPicture picture(file.svg, scene, found);
+  const ElementTree document("svg");
+  const Element svg = document.root().set("xmlns", "http://www.w3.org/2000/svg").set("role", "img");
+  svg.add("title").text(scene.name);
+  svg.add("style").code(picture_style());
+  svg.set("font-family", "system-ui, 'DejaVu Sans', sans-serif");
+  const Element ground = svg.add("rect", "paper");
+  MotionsPicture picture(svg, scene, found);
   picture.draw();
-  return file.xml(picture.whole_width(), picture.whole_height());
+  const double width = picture.whole_width(), height = picture.whole_height();
+  ground.set("width", width).set("height", height);
+  svg.set("viewBox", fmt::format("0 0 {} {}", short_number(width), short_number(height)));
+  svg.set("width", width).set("height", height);
+  return document.xml();
 }
 
 }  // namespace slipproof

@@ -37,7 +37,7 @@ struct Ink {
 };
 
 /// The colours of everything else.
-constexpr std::array<Ink, 26> inks{{{"#1d2733", "#e8edf3", ".ink{{fill:{}}}"},
+constexpr std::array<Ink, 27> inks{{{"#1d2733", "#e8edf3", ".ink{{fill:{}}}"},
                                     {"#55606e", "#a9b4c1", ".soft{{fill:{}}}"},
                                     {"#1d2733", "#e8edf3", ".edge{{fill:none;stroke-width:1.6;stroke:{}}}"},
                                     {"#b3125f", "#ff8fc0", ".new{{fill:none;stroke-width:2.4;stroke:{}}}"},
@@ -59,6 +59,7 @@ constexpr std::array<Ink, 26> inks{{{"#1d2733", "#e8edf3", ".ink{{fill:{}}}"},
                                     {"#b34700", "#ffb27a", ".friction{{stroke-width:2;stroke:{0};fill:{0}}}"},
                                     {"#4a5563", "#c0cad6", ".load{{stroke-width:2;stroke:{0};fill:{0}}}"},
                                     {"#17663f", "#8fdcb0", ".moves{{stroke-width:2;stroke:{0};fill:{0}}}"},
+                                    {"#0b5fa5", "#7cc0ff", ".acceleration{{stroke-width:1.4;stroke:{0};fill:{0}}}"},
                                     {"#8b95a1", "#7d8896", ".fit-open{{fill:{}}}"},
                                     {"#0b5fa5", "#7cc0ff", ".fit-stick{{fill:{}}}"},
                                     {"#b34700", "#ffb27a", ".fit-slide{{fill:{}}}"},

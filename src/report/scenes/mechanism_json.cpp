@@ -13,8 +13,11 @@ namespace {
 /// Builds the document for one scene.
 class SolveDocument {
  public:
-  explicit SolveDocument(const SolvedMechanism& solved)
-      : solved_(solved), mechanism_(solved.scene.mechanism), accelerations_(acceleration_names(mechanism_)) {}
+  SolveDocument(const SolvedMechanism& solved, const std::optional<EveryLoad>& every_q)
+      : solved_(solved),
+        every_q_(every_q),
+        mechanism_(solved.scene.mechanism),
+        accelerations_(acceleration_names(mechanism_)) {}
 
   Json whole() const {
     Json document;
@@ -26,7 +29,7 @@ class SolveDocument {
     document["notes"] = solved_.scene.notes;
     document["by_kinematics"] = solved_.by_kinematics;
     document["complete"] = !solved_.by_kinematics;
-    document["every_q"] = every_load_json(solved_.for_every_q);
+    document["every_q"] = every_load_json(every_q_);
     if (solved_.at_load) put_motions(document, mechanism_, *solved_.at_load);
     document["not_modelled"] = not_modelled();
     if (mechanism_.load) {
@@ -82,14 +85,15 @@ class SolveDocument {
   }
 
   const SolvedMechanism& solved_;
+  const std::optional<EveryLoad>& every_q_;
   const Mechanism& mechanism_;
   std::vector<std::string> accelerations_;
 };
 
 }  // namespace
 
-std::string solve_json(const SolvedMechanism& solved) {
-  return dump(SolveDocument(solved).whole());
+std::string solve_json(const SolvedMechanism& solved, const std::optional<EveryLoad>& every_q) {
+  return dump(SolveDocument(solved, every_q).whole());
 }
 
 }  // namespace slipproof

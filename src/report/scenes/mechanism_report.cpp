@@ -9,8 +9,6 @@
 #include "base/input/diagnostic.hpp"
 #include "base/number/format.hpp"
 #include "base/output/listed.hpp"
-#include "contact/problem/every_push.hpp"
-#include "mechanics/kernel/kinematic_modes.hpp"
 #include "mechanics/mechanism/words.hpp"
 #include "report/picture/motion_words.hpp"
 #include "report/values/every_load.hpp"
@@ -20,63 +18,12 @@ namespace slipproof {
 
 namespace {
 
-FrictionProblem checked_problem(const MechanismScene& scene) {
-  FrictionProblem problem;
-  try {
-    problem = friction_problem(scene.mechanism, scene.values);
-  } catch (const NoValue& error) {
-    throw InputError({{scene.mechanism.file, 0, 0, error.what()}});
-  }
-  return without_equations(problem);
-}
-
-}  // namespace
-
-SolvedMechanism::SolvedMechanism(MechanismScene given, bool with_every_q, Listing listing)
-    : scene(std::move(given)), problem(checked_problem(scene)) {
-  try {
-    find_motions(listing);
-  } catch (const TooMuchWork&) {
-    throw InputError({{scene.mechanism.file, 0, 0, too_many_modes(mode_count(kinds_of(problem)))}});
-  }
-  if (has_too_many_to_try(problem) || !with_every_q) return;
-  if (const auto contacts = contact_problem(problem)) for_every_q = for_every_push(*contacts);
-}
-
-void SolvedMechanism::find_motions(Listing listing) {
-  if (problem.has_load) find_modes(listing);
-  if (problem.has_load && !scene.load) {
-    cells = cells_of(problem, modes);
-    by_kinematics = !ranges_complete;
-    return;
-  }
-  at_load = motions_of(problem, scene.load, listing);
-  by_kinematics = at_load->by_kinematics;
-  if (has_too_many_to_try(problem)) return;
-  // Modes that were excluded together share a reason. Solved alone, each has its own reason, which may be a single
-  // condition.
-  const ModeSolver solver(problem, scene.load);
-  for (RejectedMode& rejected : at_load->rejected) {
-    if (!rejected.margin) rejected = std::move(solver.one(rejected.mode).rejected.front());
-  }
-}
-
-void SolvedMechanism::find_modes(Listing listing) {
-  std::optional<ModesOf> all;
-  if (has_too_many_to_try(problem)) {
-    if (listing == Listing::modes) all = every_mode(problem, std::nullopt);
-    ranges_complete = all.has_value();
-  }
-  modes = all ? std::move(all->consistent) : consistent_modes(problem, std::nullopt);
-}
-
-namespace {
-
 /// Builds the document of one scene.
 class SolveText {
  public:
-  SolveText(const SolvedMechanism& solved, int digits)
+  SolveText(const SolvedMechanism& solved, const std::optional<EveryLoad>& every_q, int digits)
       : solved_(solved),
+        every_q_(every_q),
         mechanism_(solved.scene.mechanism),
         accelerations_(acceleration_names(mechanism_)),
         forces_(force_names(mechanism_)),
@@ -146,7 +93,8 @@ class SolveText {
 
   /// One by one, or, if that takes more than some pages, counted by what is violated.
   void write_rejected(const std::vector<RejectedMode>& rejected) {
-    if (static_cast<double>(rejected.size()) > max_tried) return count_rejected(rejected);
+    constexpr std::size_t most_listed = 1024;
+    if (rejected.size() > most_listed) return count_rejected(rejected);
     ReportTable& table =
         document_.section("Rejected, with what is violated", {0, 4}).table({{{"", false, 12}, {"", false, 14}, ""}});
     for (const RejectedMode& mode : rejected) {
@@ -179,7 +127,7 @@ class SolveText {
           equal_modes(found.hysteresis));
     }
     if (!found.rejected.empty()) write_rejected(found.rejected);
-    document_.line(every_load_line(solved_.for_every_q));
+    document_.line(every_load_line(every_q_));
     const auto strict =
         std::count_if(found.motions.begin(), found.motions.end(), [](const auto& m) { return m.strict(); });
     document_.status(fmt::format("s SOLVED motions {} strict {} continua {} rejected {}", found.motions.size(), strict,
@@ -209,11 +157,12 @@ class SolveText {
       if (motions.empty()) motions.emplace_back("no motion");
       table.row({interval_text(mechanism_.load->symbol, cell.loads, digits_), listed(motions, "; ")});
     }
-    document_.line(every_load_line(solved_.for_every_q));
+    document_.line(every_load_line(every_q_));
     document_.status(fmt::format("s SOLVED modes {} cells {}", solved_.modes.size(), solved_.cells.size()));
   }
 
   const SolvedMechanism& solved_;
+  const std::optional<EveryLoad>& every_q_;
   const Mechanism& mechanism_;
   std::vector<std::string> accelerations_, forces_;
   int digits_;
@@ -244,8 +193,8 @@ std::string what_is_broken(const Mechanism& mechanism, const RejectedMode& mode)
   return text.empty() ? "its equations have no solution" : text;
 }
 
-Document solve_document(const SolvedMechanism& solved, int digits) {
-  return SolveText(solved, digits).whole();
+Document solve_document(const SolvedMechanism& solved, const std::optional<EveryLoad>& every_q, int digits) {
+  return SolveText(solved, every_q, digits).whole();
 }
 
 }  // namespace slipproof

@@ -9,10 +9,10 @@
 #include "base/number/binary64.hpp"
 #include "base/number/format.hpp"
 #include "claims/uniqueness/ranges.hpp"
+#include "mechanics/planes/mechanism_plane.hpp"
 #include "report/phase/axis.hpp"
 #include "report/picture/palette.hpp"
 #include "report/picture/polyline.hpp"
-#include "report/planes/mechanism_plane.hpp"
 
 namespace slipproof {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "claims/uniqueness/along.hpp"
-#include "report/phase/phase_diagram.hpp"
+#include "mechanics/planes/phase_diagram.hpp"
 
 namespace slipproof {
 

@@ -1,7 +1,7 @@
 #include "report/values/every_load.hpp"
 
 #include "contact/problem/every_load_json.hpp"
-#include "mechanics/kernel/mode_solver.hpp"
+#include "mechanics/elements/element.hpp"
 
 namespace slipproof {
 

@@ -1,7 +1,7 @@
 // The motions of a mechanism at one load, in the form of `slipproof/solve/2`.
 #pragma once
 
-#include "mechanics/kernel/motions.hpp"
+#include "mechanics/kernel/motion.hpp"
 #include "mechanics/mechanism/mechanism.hpp"
 #include "report/values/exact_json.hpp"
 

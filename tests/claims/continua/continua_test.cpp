@@ -10,6 +10,7 @@
 #include "claims/judge/judge.hpp"
 #include "claims/reading/read_claims_file.hpp"
 #include "claims/sampling/solved_sample.hpp"
+#include "mechanics/scene/solve_mechanism.hpp"
 #include "mechanics/search/found_motions.hpp"
 #include "report/scenes/mechanism_report.hpp"
 #include "support/how_many.hpp"
@@ -230,8 +231,8 @@ MechanismScene scene_of(const Mechanism& mechanism, const Body& body, const Rati
 
 /// The document of `solve` has each mode once: with a motion, as a continuum, or rejected.
 void check_document(const Mechanism& mechanism, const Body& body, const Rational& load, const BruteMotions& there) {
-  const SolvedMechanism solved(scene_of(mechanism, body, load), false);
-  const std::string json = solve_json(solved), text = text_of(solve_document(solved, 6));
+  const SolvedMechanism solved = solve_mechanism(scene_of(mechanism, body, load));
+  const std::string json = solve_json(solved, std::nullopt), text = text_of(solve_document(solved, std::nullopt, 6));
   std::size_t strict = 0;
   for (const auto& [accelerations, motion] : there.motions) strict += motion.modes.empty() ? 0 : 1;
   CHECK(text.find("s SOLVED motions " + std::to_string(there.motions.size()) + " strict " + std::to_string(strict) +

@@ -27,7 +27,7 @@ TEST_CASE("report writes one file, the same at any number of threads") {
   CHECK(html.starts_with("<!DOCTYPE html>"));
   CHECK(html.find("claim-T1.5") != html.npos);
   // Our scenes, and what solvers made of them, have no place in a report on somebody else's paper.
-  CHECK(html.find("class=\"labelled\"") != html.npos);
+  CHECK(html.find("class=\"model\"") != html.npos);
   CHECK(html.find("penny-farthing") == html.npos);
   CHECK(html.find("Certified solvers") == html.npos);
   CHECK(html == report("two.html", "2"));

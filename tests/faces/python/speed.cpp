@@ -12,7 +12,7 @@
 
 #include "floating/batch/bicycle_batch.hpp"
 #include "mechanics/scene/scene.hpp"
-#include "report/scenes/mechanism_report.hpp"
+#include "mechanics/scene/solve_mechanism.hpp"
 
 namespace {
 
@@ -43,6 +43,6 @@ int main(int argc, char** argv) {
   bicycles.F = at(13);
   const double batch = best_of(7, [&] { consistent_modes(bicycles, 1); });
   const MechanismScene scene = read_scene(argv[2]);
-  const double solution = best_of(300, [&] { const SolvedMechanism solved(scene); });
+  const double solution = best_of(300, [&] { const SolvedMechanism solved = solve_mechanism(scene); });
   std::printf("%.9g %.9g\n", static_cast<double>(size) / batch, solution);
 }

@@ -75,7 +75,7 @@ TEST_CASE("first there is a sentence of what was found and the picture of the wo
   CHECK(place("worst-finding") < place("halves"));
   CHECK(place("halves") < place("cards"));
   // Of the false statements Assertion 5 has the most motions: three.
-  CHECK(overview.select_nodes("figure[@class='worst-finding']//svg[@class='bicycle']").size() == 3);
+  CHECK(overview.select_nodes("figure[@class='worst-finding']//svg[@class='mechanism']").size() == 3);
   CHECK(overview.select_node("figure[@class='worst-finding']/figcaption//a[@href='#claim-A5.1']"));
   CHECK(overview.select_node("p[@class='authors']/a[@href='https://arxiv.org/abs/2105.00851']"));
   CHECK(overview.select_node("p[@class='authors']/a[@href='https://doi.org/10.48550/arXiv.2105.00851']"));
@@ -161,7 +161,7 @@ TEST_CASE("every claim is there with its verdicts, every finding in the errata, 
     CHECK(!card.select_nodes(".//*[@class='counterexample']").empty());
     const bool moves =
         is_about_motions(stated) && claim.counterexample->motions && !claim.counterexample->motions->motions.empty();
-    if (moves) CHECK(!card.select_nodes(".//svg[@class='bicycle']").empty());
+    if (moves) CHECK(!card.select_nodes(".//svg[@class='mechanism']").empty());
   }
   CHECK(tree.select_nodes("//section[@id='errata']//li").size() > 20);
 }
@@ -214,7 +214,7 @@ TEST_CASE("the first page has the problem, the figure, the findings in words and
   PageInput input = small_input();
   input.model = read_scene(SLIPPROOF_SOURCE_DIR "/cases/city-bicycle.toml");
   const std::string page = page_html(input);
-  for (const char* part : {"The problem", "class=\"labelled\"", "What was found", "claims are refuted, and there are",
+  for (const char* part : {"The problem", "class=\"model\"", "What was found", "claims are refuted, and there are",
                            "What is false", "class=\"cards\"", "id=\"phase\""}) {
     CAPTURE(part);
     const std::size_t at = page.find(part);

@@ -6,7 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/number/parse.hpp"
+#include "contact/problem/every_push.hpp"
 #include "mechanics/scene/bicycle_scene.hpp"
+#include "mechanics/scene/solve_mechanism.hpp"
 
 using namespace slipproof;
 using Json = nlohmann::ordered_json;
@@ -35,11 +37,17 @@ MechanismScene at_b1(std::optional<Rational> F) {
   return scene;
 }
 
+std::string solved_json(const MechanismScene& scene) {
+  const SolvedMechanism solved = solve_mechanism(scene);
+  return solve_json(solved, for_every_push(solved.problem));
+}
+
 Json document(const MechanismScene& scene) {
-  return Json::parse(solve_json(SolvedMechanism(scene)));
+  return Json::parse(solved_json(scene));
 }
 std::string text(const MechanismScene& scene) {
-  return text_of(solve_document(SolvedMechanism(scene), 6));
+  const SolvedMechanism solved = solve_mechanism(scene);
+  return text_of(solve_document(solved, for_every_push(solved.problem), 6));
 }
 
 std::vector<std::string> keys(const Json& object) {

@@ -1,5 +1,5 @@
 // Phase diagrams of mechanisms: every point solved anew at its load, closed forms, and the borders of domains.
-#include "report/planes/mechanism_plane.hpp"
+#include "mechanics/planes/mechanism_plane.hpp"
 
 #include <doctest/doctest.h>
 
@@ -17,6 +17,7 @@
 #include "mechanics/reading/read_mechanism.hpp"
 #include "report/phase/phase_points.hpp"
 #include "report/phase/phase_svg.hpp"
+#include "report/planes/map_json.hpp"
 
 using namespace slipproof;
 

@@ -9,9 +9,9 @@
 #include <sstream>
 
 #include "base/number/binary64.hpp"
+#include "mechanics/planes/mechanism_plane.hpp"
 #include "report/phase/phase_svg.hpp"
 #include "report/phase/thin_regions.hpp"
-#include "report/planes/mechanism_plane.hpp"
 
 using namespace slipproof;
 

@@ -19,6 +19,20 @@ if(NOT output STREQUAL "scene.toml:3:7: sigma is 1/4\n")
   message(FATAL_ERROR "the consumer printed: ${output}")
 endif()
 
+# What is installed is the public headers and what they include, and nothing else.
+run(${COMPILER} -std=c++20 -M -I ${SCRATCH}/moved/include ${CMAKE_CURRENT_LIST_DIR}/consumer/main.cpp)
+string(REGEX MATCHALL "${SCRATCH}/moved/include/slipproof/[^ \n]+" included "${output}")
+file(GLOB_RECURSE installed ${SCRATCH}/moved/include/slipproof/*)
+list(REMOVE_ITEM installed ${included})
+if(installed)
+  message(FATAL_ERROR "installed, but no public header includes it: ${installed}")
+endif()
+file(STRINGS ${SCRATCH}/moved/include/slipproof/slipproof.hpp public REGEX "^#include <slipproof/")
+list(LENGTH public public)
+if(public GREATER 16)
+  message(FATAL_ERROR "slipproof.hpp lists ${public} public headers, expected at most 16: what no page or example uses stays private")
+endif()
+
 # The same from C, by CMake and by pkg-config: a scene that names a shipped mechanism.
 set(scene ${SCRATCH}/moved/share/slipproof/cases/mechanisms/scenes/block-on-incline.toml)
 function(expect_motions)

@@ -1,4 +1,4 @@
-# First file: the rooms. Every further file: one of the sources, as ./WING/ROOM/...
+# First file: the rooms. Second: what solves. Every further file: one of the sources, as ./WING/ROOM/...
 function wrong(message) {
   printf "src/%s:%d: %s\n", substr(FILENAME, 3), FNR, message
   failed = 1
@@ -27,6 +27,18 @@ files == 1 && /^[ \t]*[^# \t]/ {
 }
 files == 1 { next }
 
+files == 2 && /^!/ { shows[substr($1, 2)] = 1 }
+files == 2 && /^[^!#]/ { solves[$1] = 1 }
+files == 2 { next }
+
+# Whether a header, or the room or wing that it stands in, solves.
+function is_solver(header,   path) {
+  if (header in shows) return 0
+  for (path = header; !(path in solves);)
+    if (!sub(/\/[^\/]*$/, "", path)) return 0
+  return 1
+}
+
 FNR == 1 {
   from = room_of(substr(FILENAME, 3))
   face = FILENAME !~ /^\.\/.*\//  # src/slipproof.hpp: the whole library
@@ -44,6 +56,8 @@ FNR == 1 {
   } else if (to == "") {
     if (bracket == "\"")
       wrong("\"" target "\" does not name a room of src/layers.txt: write \"wing/room/file\", and <...> for other libraries")
+  } else if (from ~ /^report\// && is_solver(target)) {
+    wrong(from " must not include " target ", which solves: whoever calls it solves, and passes the result")
   } else if (from != "" && to != from) {
     if (from in standalone)
       wrong(from " stands alone and must not include " target)

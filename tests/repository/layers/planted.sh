@@ -8,13 +8,16 @@ trap 'rm -rf "$tree"' EXIT
 plant() {  # FILE INCLUDE: a good tree with this one line more
   rm -rf "$tree/src"
   mkdir -p "$tree/src/low/one" "$tree/src/low/two/deeper" "$tree/src/high/apart" "$tree/src/high/top"
-  printf '# a comment: top low\nlow: what is low\nlow/one\nlow/two\nhigh: what is high\nhigh/apart*\nhigh/top\n' >"$tree/src/layers.txt"
+  printf '# a comment: top low\nlow: what is low\nlow/one\nlow/two\nhigh: what is high\nhigh/apart*\nhigh/top\nreport: what is read\nreport/pages\n' >"$tree/src/layers.txt"
   printf '#include <vector>\n#include "low/one/b.hpp"\n#include <boost/low/top.hpp>\n' >"$tree/src/low/one/a.hpp"
   printf '#include "low/one/a.hpp"\n// #include "high/top/a.hpp"\n#include "low/two/deeper/a.hpp"\n' >"$tree/src/low/two/a.hpp"
   printf '#include "low/two/a.hpp"\n' >"$tree/src/low/two/deeper/a.hpp"
   printf '#include "high/apart/b.hpp"\n#include <gmp.h>\n' >"$tree/src/high/apart/a.cpp"
   printf '#include "high/apart/a.hpp"\n#include "low/one/a.hpp"\n#include "low/two/deeper/a.hpp"\n' >"$tree/src/high/top/a.cpp"
   printf '#include "low/one/a.hpp"\n#include "high/top/a.hpp"\n' >"$tree/src/all.hpp"
+  mkdir "$tree/src/report" "$tree/src/report/pages"
+  printf '#include "high/top/result.hpp"\n#include "low/one/a.hpp"\n#include "low/two/a.hpp"\n' >"$tree/src/report/pages/a.cpp"
+  printf '# a comment: low/one\nhigh\n!high/top/result.hpp\nlow/two/deeper\nlow/one/solve.hpp\n' >"$tree/solvers"
   if [ $# -gt 0 ]; then
     mkdir -p "$(dirname "$tree/src/$1")"
     printf '%s\n' "$2" >>"$tree/src/$1"
@@ -22,12 +25,12 @@ plant() {  # FILE INCLUDE: a good tree with this one line more
 }
 
 plant
-sh "$here/layers.sh" "$tree/src" || { echo "the good tree was refused"; exit 1; }
+sh "$here/layers.sh" "$tree/src" "$tree/solvers" || { echo "the good tree was refused"; exit 1; }
 
 count=0
 refused() {  # FILE INCLUDE MESSAGE
   plant "$1" "$2"
-  if output=$(sh "$here/layers.sh" "$tree/src"); then
+  if output=$(sh "$here/layers.sh" "$tree/src" "$tree/solvers"); then
     echo "not noticed: $2 in $1"
     exit 1
   fi
@@ -47,4 +50,7 @@ refused low/two/a.hpp '#include "low/one/../two/a.hpp"' 'must not step between f
 refused low/two/a.hpp '#include "low/other/a.hpp"' 'does not name a room'
 refused all.hpp '#include "low/other/a.hpp"' 'does not name a room'
 refused low/new/a.hpp '#include <vector>' 'its folder is no room'
+refused report/pages/a.cpp '#include "high/top/a.hpp"' 'report/pages must not include high/top/a.hpp, which solves'
+refused report/pages/b.hpp '#include "low/one/solve.hpp"' 'must not include low/one/solve.hpp, which solves'
+refused report/pages/b.hpp '#include <low/two/deeper/a.hpp>' 'must not include low/two/deeper/a.hpp, which solves'
 echo "$count planted includes refused"

@@ -15,11 +15,9 @@
 #include "faces/cli/command.hpp"
 #include "faces/cli/png.hpp"
 #include "faces/cli/warnings.hpp"
-#include "mechanics/scene/bicycle_scene.hpp"
-#include "report/picture/bicycle_figure.hpp"
+#include "mechanics/scene/solve_mechanism.hpp"
 #include "report/picture/mechanism_svg.hpp"
 #include "report/picture/motions_svg.hpp"
-#include "report/scenes/mechanism_report.hpp"
 
 namespace slipproof::cli {
 
@@ -44,7 +42,7 @@ MechanismMode choose_load(MechanismScene& scene, const DrawArguments& arguments)
   if (arguments.motion == every_motion) {
     refuse(arguments, "the scene has no value of the load " + symbol + ", expected --load for --motion all");
   }
-  const std::vector<ConsistentMode> modes = SolvedMechanism(scene).modes;
+  const std::vector<ConsistentMode> modes = solve_mechanism(scene).modes;
   const std::size_t number = std::stoul(arguments.motion);
   if (number > modes.size()) {
     refuse(arguments, fmt::format("found --motion {}, expected at most {}: so many modes have a motion at some {}",
@@ -59,7 +57,7 @@ MechanismMode choose_load(MechanismScene& scene, const DrawArguments& arguments)
 std::string figure_of_motions(MechanismScene scene, const DrawArguments& arguments) {
   std::optional<MechanismMode> mode;
   if (scene.mechanism.load && !scene.load) mode = choose_load(scene, arguments);
-  const MotionsAtLoad found = *SolvedMechanism(scene).at_load;
+  const MotionsAtLoad found = *solve_mechanism(scene).at_load;
   if (arguments.motion == every_motion) return motions_svg_file(scene, found);
   const std::vector<MotionAtLoad> motions = drawn_motions(found);
   if (motions.empty()) refuse(arguments, "there is no motion at this load, and none to draw");
@@ -69,12 +67,12 @@ std::string figure_of_motions(MechanismScene scene, const DrawArguments& argumen
   };
   if (mode) {
     const auto motion = std::find_if(motions.begin(), motions.end(), has_mode);
-    if (motion != motions.end()) return motion_svg_file(scene, *motion);
+    if (motion != motions.end()) return mechanism_svg_file(scene, &*motion);
     refuse(arguments, "the motion of " + name(*mode) + " at " + scene.mechanism.load->symbol + " = " +
                           exact_text(*scene.load) + " is one of a continuum, which --load with --motion all draws");
   }
   const std::size_t number = std::stoul(arguments.motion);
-  if (number <= motions.size()) return motion_svg_file(scene, motions[number - 1]);
+  if (number <= motions.size()) return mechanism_svg_file(scene, &motions[number - 1]);
   refuse(arguments, fmt::format("found --motion {}, expected at most {}: so many motions it has there{}", number,
                                 motions.size(), found.continua.empty() ? "" : ", continua counted"));
 }
@@ -92,7 +90,7 @@ std::string figure_of(MechanismScene scene, const DrawArguments& arguments) {
     }
   }
   if (!arguments.motion.empty()) return figure_of_motions(std::move(scene), arguments);
-  return is_bicycle(scene.mechanism) ? bicycle_figure_file(scene) : mechanism_svg_file(scene, nullptr);
+  return mechanism_svg_file(scene, nullptr);
 }
 
 /// `all`, or a number from 1.
@@ -106,9 +104,8 @@ CLI::Validator motion_choice() {
 
 void add_draw(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<DrawArguments>();
-  CLI::App& command = *app.add_subcommand("draw",
-                                          "Draw a scene to scale: a bicycle with its axes, signs and symbols, or a "
-                                          "mechanism with the forces at its contacts; a labelled SVG");
+  CLI::App& command = *app.add_subcommand(
+      "draw", "Draw a scene to scale, with its symbols and the forces at its contacts; a labelled SVG");
   command.add_option("SCENE", options->scene, "Scene file (TOML), of a bicycle or of a mechanism")->required();
   command
       .add_option("--motion", options->motion,

@@ -10,10 +10,11 @@
 #include "faces/cli/command.hpp"
 #include "faces/cli/png.hpp"
 #include "faces/cli/warnings.hpp"
+#include "mechanics/planes/mechanism_plane.hpp"
 #include "mechanics/scene/scene.hpp"
 #include "report/phase/phase_regions.hpp"
 #include "report/phase/phase_svg.hpp"
-#include "report/planes/mechanism_plane.hpp"
+#include "report/planes/map_json.hpp"
 
 namespace slipproof::cli {
 

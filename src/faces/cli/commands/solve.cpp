@@ -1,9 +1,10 @@
 #include <memory>
 #include <string>
 
+#include "contact/problem/every_push.hpp"
 #include "faces/cli/command.hpp"
 #include "faces/cli/warnings.hpp"
-#include "mechanics/scene/scene.hpp"
+#include "mechanics/scene/solve_mechanism.hpp"
 #include "report/scenes/mechanism_report.hpp"
 
 namespace slipproof::cli {
@@ -17,10 +18,12 @@ struct SolveArguments {
 };
 
 void answer(const SolveArguments& arguments) {
-  const SolvedMechanism solved(read_scene(arguments.scene));
+  const SolvedMechanism solved = solve_mechanism(read_scene(arguments.scene));
   print_warnings(solved.scene.mechanism, arguments.common);
+  const auto every_q = for_every_push(solved.problem);
   print_report(
-      arguments.common, [&] { return solve_json(solved); }, [&] { return solve_document(solved, arguments.digits); });
+      arguments.common, [&] { return solve_json(solved, every_q); },
+      [&] { return solve_document(solved, every_q, arguments.digits); });
 }
 
 }  // namespace

@@ -7,11 +7,9 @@
 #include "claims/paper/compiled.hpp"
 #include "claims/paper/setting_names.hpp"
 #include "mechanics/mechanism/words.hpp"
-#include "mechanics/scene/bicycle_scene.hpp"
 #include "report/html/sections.hpp"
 #include "report/markup/mathml.hpp"
 #include "report/papers/explain.hpp"
-#include "report/picture/bicycle_svg.hpp"
 #include "report/picture/mechanism_svg.hpp"
 
 namespace slipproof {
@@ -176,11 +174,8 @@ void add_motion(const Element& parent, const Counterexample& e, const MotionAtLo
   const Element heading = box.add("p", "motion-name");
   heading.add("b").text(modes);
   if (!motion.strict()) heading.text(" (boundary)");
-  if (is_bicycle(e.scene.mechanism)) {
-    add_bicycle(box, e.scene, &motion, "The bicycle with the forces of the motion " + modes);
-  } else if (has_picture(e.scene.mechanism)) {
+  if (has_picture(e.scene.mechanism))
     add_mechanism(box, e.scene, &motion, "The mechanism with the forces of the motion " + modes);
-  }
 }
 
 /// The scene as a file to save and as text to read.

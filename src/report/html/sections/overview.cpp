@@ -12,7 +12,7 @@
 #include "report/papers/errata.hpp"
 #include "report/papers/explain.hpp"
 #include "report/papers/verify_report.hpp"
-#include "report/picture/bicycle_figure.hpp"
+#include "report/picture/mechanism_svg.hpp"
 
 namespace slipproof {
 
@@ -74,7 +74,7 @@ void add_problem(const Element& section, const PageInput& input) {
       "all parameters.");
   if (!input.model || !bicycles) return;
   const Element figure = columns.add("figure", "model");
-  add_bicycle_figure(figure, *input.model);
+  add_mechanism(figure, *input.model, nullptr, "The bicycle of the model with its signs and symbols");
   figure.add("figcaption")
       .text("Arrows point where a quantity counts as positive: the pedal force F pulls the lower pedal backwards.");
   if (const std::string link = link_to_explorer(input, *input.model); !link.empty()) {

@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "base/number/format.hpp"
+#include "claims/planes/claims_plane.hpp"
+#include "mechanics/planes/mechanism_plane.hpp"
 #include "report/html/sections.hpp"
 #include "report/markup/symbol.hpp"
-#include "report/planes/claims_plane.hpp"
-#include "report/planes/mechanism_plane.hpp"
 
 namespace slipproof {
 

@@ -13,7 +13,7 @@ namespace slipproof {
 
 namespace {
 
-constexpr double plain_force = 34, contact_gap = 5, longest_velocity = 40, sliding_length = 24;
+constexpr double plain_force = 34, contact_gap = 5, body_gap = 7, longest_velocity = 40, sliding_length = 24;
 
 double length_of(Point v) {
   return std::hypot(v[0], v[1]);
@@ -25,8 +25,9 @@ bool has_direction(const MechanismGeometry::Contact& contact) {
   return contact.normal != Point{0, 0};
 }
 
+/// A symbol, or a product of symbols as `M g`.
 bool is_name(const std::string& text) {
-  return std::ranges::all_of(text, [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; }) &&
+  return std::ranges::all_of(text, [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == ' '; }) &&
          std::isalpha(static_cast<unsigned char>(text[0])) != 0;
 }
 
@@ -88,6 +89,7 @@ void MechanismArrows::draw() {
   for (const auto& contact : in_.geometry.contacts) this->contact(contact);
   for (const auto& push : in_.geometry.pushes) this->push(push);
   for (const auto& weight : in_.geometry.weights) this->weight(weight);
+  for (const auto& acceleration : in_.geometry.accelerations) this->acceleration(acceleration);
   for (const auto& outline : in_.geometry.outlines) shape(outline);
   double fastest = 0;
   for (const auto& movement : in_.geometry.movements) fastest = std::max(fastest, length_of(movement.velocity));
@@ -190,6 +192,26 @@ void MechanismArrows::push(const MechanismGeometry::Push& push) {
   const auto [start, end] = load_arrow(from, moved(from, push.along, length));
   label({push.begins ? end : start, halfway(start, end)}, {});
   described_.push_back("pushed by " + push.name);
+}
+
+/// All are as long: accelerations have no scale in common with forces.
+void MechanismArrows::acceleration(const MechanismGeometry::Acceleration& acceleration) {
+  double length = plain_force;
+  std::string value;
+  if (in_.motion != nullptr) {
+    const Rational& shown = in_.motion->accelerations[acceleration.index];
+    value = in_.numbers.value(shown);
+    length *= shown.sign();
+    described_.push_back(acceleration.name + " " + value);
+  }
+  const Point at = in_.view.pixel(acceleration.at);
+  const Point start = moved(at, acceleration.along, length < 0 ? -body_gap : body_gap);
+  const Point end = moved(start, acceleration.along, length);
+  if (length != 0) {
+    add_arrow(svg_, start, end[0] - start[0], end[1] - start[1], "acceleration");
+    see(start, end);
+  }
+  if (in_.names) labels_.symbol({end, halfway(start, end)}, acceleration.name, value);
 }
 
 void MechanismArrows::weight(const MechanismGeometry::Weight& weight) {

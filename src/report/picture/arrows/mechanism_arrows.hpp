@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "mechanics/kernel/motions.hpp"
+#include "mechanics/kernel/motion.hpp"
 #include "mechanics/scene/scene.hpp"
 #include "report/markup/element.hpp"
 #include "report/picture/labels/picture_labels.hpp"
@@ -57,6 +57,7 @@ class MechanismArrows {
   void sliding(const MechanismGeometry::Contact& contact);
   void shape(const MechanismGeometry::Outline& outline);
   void push(const MechanismGeometry::Push& push);
+  void acceleration(const MechanismGeometry::Acceleration& acceleration);
   void weight(const MechanismGeometry::Weight& weight);
   void movement(const MechanismGeometry::Movement& movement, double fastest);
   std::pair<Point, Point> load_arrow(Point from, Point to, std::string_view css = "load");

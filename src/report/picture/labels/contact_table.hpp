@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "mechanics/kernel/motions.hpp"
+#include "mechanics/kernel/motion.hpp"
 #include "mechanics/scene/scene.hpp"
 #include "report/markup/element.hpp"
 #include "report/picture/labels/label_placer.hpp"

@@ -31,6 +31,11 @@ double distance_to(const Point& point, const LabelBox& box) {
 
 }  // namespace
 
+LabelBox LabelBox::around(const LabelBox& other) const {
+  return {std::min(left, other.left), std::min(top, other.top), std::max(right, other.right),
+          std::max(bottom, other.bottom)};
+}
+
 double LabelBox::overlap(const LabelBox& other) const {
   const double across = std::min(right, other.right) - std::max(left, other.left);
   const double down = std::min(bottom, other.bottom) - std::max(top, other.top);

@@ -12,7 +12,8 @@ namespace slipproof {
 struct LabelBox {
   double left = 0, top = 0, right = 0, bottom = 0;
 
-  double overlap(const LabelBox& other) const;  ///< its area
+  double overlap(const LabelBox& other) const;   ///< its area
+  LabelBox around(const LabelBox& other) const;  ///< the least that contains both
 };
 
 class LabelPlacer {

@@ -1,7 +1,6 @@
-#include "report/explorer/explorer.hpp"
+#include "faces/explorer/explorer.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -9,13 +8,13 @@
 
 #include "base/input/diagnostic.hpp"
 #include "base/number/parse.hpp"
-#include "mechanics/reading/shipped.hpp"
-#include "mechanics/reading/write_mechanism.hpp"
+#include "contact/problem/every_push.hpp"
+#include "mechanics/planes/axis_choice.hpp"
+#include "mechanics/scene/solve_mechanism.hpp"
 #include "report/phase/phase_svg.hpp"
 #include "report/picture/motion_words.hpp"
 #include "report/picture/motions_svg.hpp"
 #include "report/picture/palette.hpp"
-#include "report/planes/axis_choice.hpp"
 #include "report/scenes/mechanism_report.hpp"
 #include "report/values/exact_json.hpp"
 
@@ -123,7 +122,7 @@ Json pictures_of(const SolvedMechanism& solved) {
   const CommonLook look = common_look(solved.scene, motions);
   const auto add = [&](const std::string& title, const MotionAtLoad* motion) {
     const ElementTree document("div");
-    const Element svg = add_motion(document.root(), solved.scene, motion, title, look);
+    const Element svg = add_mechanism(document.root(), solved.scene, motion, title, look);
     svg.add("style").code(picture_style());
     pictures.push_back({{"title", title}, {"svg", svg.xml()}});
   };
@@ -135,14 +134,14 @@ Json pictures_of(const SolvedMechanism& solved) {
 }
 
 Json motions_answer(const MechanismScene& scene, const std::string& text, bool ranges, bool with_every_q) {
-  const SolvedMechanism solved(scene, with_every_q, Listing::motions);  // quickly, as values are dragged
+  const SolvedMechanism solved = solve_mechanism(scene, Listing::motions);  // quickly, as values are dragged
   Json answer;
   answer["scene"] = text;
   answer["name"] = scene.name;
   answer["mechanism"] = scene.mechanism.name;
   answer["values"] = values_of(scene, ranges);
   if (ranges && scene.mechanism.load) answer["usual"] = usual_parameter(scene);
-  answer["solve"] = Json::parse(solve_json(solved));
+  answer["solve"] = Json::parse(solve_json(solved, with_every_q ? for_every_push(solved.problem) : std::nullopt));
   if (!with_every_q) answer["solve"].erase("every_q");
   answer["pictures"] = pictures_of(solved);
   return answer;
@@ -167,23 +166,8 @@ Json mistakes_json(const std::vector<std::string>& mistakes) {
 }
 
 constexpr const char* scene_file = "scene.toml";
-constexpr const char* mechanism_file = "mechanism.toml";
 
 }  // namespace
-
-PortableScene portable(const MechanismScene& scene) {
-  const Mechanism& mechanism = scene.mechanism;
-  PortableScene result;
-  result.mechanism = mechanism_file;
-  if (mechanism.shipped) result.mechanism = std::filesystem::path(mechanism.file).stem().string();
-  if (!mechanism.shipped) result.file = to_toml(mechanism);
-  if (mechanism.shipped && mechanism.load) {
-    const auto own = read_shipped(*find_shipped(result.mechanism)).load;
-    if (!own || own->symbol != mechanism.load->symbol) result.along = mechanism.load->symbol;
-  }
-  result.scene = to_toml(scene, result.mechanism, result.along);
-  return result;
-}
 
 Explorer::Explorer(PortableScene given) : given_(std::move(given)), scene_(parse_scene(given_.scene, scene_file)) {}
 

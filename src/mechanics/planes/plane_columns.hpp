@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "mechanics/planes/phase_diagram.hpp"
 #include "mechanics/points/domain_sampler.hpp"
 #include "mechanics/scene/scene.hpp"
-#include "report/phase/phase_diagram.hpp"
 
 namespace slipproof {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "mechanics/planes/phase_diagram.hpp"
 #include "mechanics/scene/scene.hpp"
-#include "report/phase/phase_diagram.hpp"
 
 namespace slipproof {
 
@@ -22,8 +22,5 @@ struct MechanismAxes {
 /// throws std::invalid_argument, with a message for people, for a mechanism without a load, for an x that the scene
 /// does not have, for an empty range, and for a range in which x has no neighbouring values in the domain.
 Plane mechanism_plane(const MechanismScene& scene, const MechanismAxes& axes, std::string id);
-
-/// One JSON document, schema slipproof/map/2: every column with its exact intervals of the load.
-std::string map_json(const PhaseDiagram& diagram, const MechanismScene& scene);
 
 }  // namespace slipproof

@@ -1,4 +1,4 @@
-#include "report/phase/plane_words.hpp"
+#include "mechanics/planes/plane_words.hpp"
 
 #include <array>
 #include <string_view>

@@ -1,4 +1,4 @@
-#include "report/phase/phase_diagram.hpp"
+#include "mechanics/planes/phase_diagram.hpp"
 
 #include <algorithm>
 #include <stdexcept>

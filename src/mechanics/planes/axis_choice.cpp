@@ -1,4 +1,4 @@
-#include "report/planes/axis_choice.hpp"
+#include "mechanics/planes/axis_choice.hpp"
 
 #include <fmt/format.h>
 

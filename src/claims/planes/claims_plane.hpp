@@ -1,9 +1,9 @@
 // The plane of a paper: the exact motions, with the paper's thresholds and claims.
 #pragma once
 
+#include "claims/planes/figures.hpp"
+#include "mechanics/planes/phase_diagram.hpp"
 #include "mechanics/scene/scene.hpp"
-#include "report/phase/phase_diagram.hpp"
-#include "report/planes/figures.hpp"
 
 namespace slipproof {
 

@@ -1,4 +1,4 @@
-#include "report/planes/claims_plane.hpp"
+#include "claims/planes/claims_plane.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -7,7 +7,7 @@
 #include "claims/judge/judge.hpp"
 #include "claims/paper/compiled.hpp"
 #include "claims/paper/setting_names.hpp"
-#include "report/phase/plane_words.hpp"
+#include "mechanics/planes/plane_words.hpp"
 
 namespace slipproof {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "mechanics/kernel/motions.hpp"
+#include "mechanics/kernel/motion.hpp"
 
 namespace slipproof {
 

@@ -1,9 +1,11 @@
-#include "report/expected/expected.hpp"
+#include "claims/uniqueness/expected_answer.hpp"
 
 #include <stdexcept>
 #include <utility>
 
 #include "base/input/diagnostic.hpp"
+#include "contact/problem/every_push.hpp"
+#include "mechanics/scene/solve_mechanism.hpp"
 
 namespace slipproof {
 
@@ -22,7 +24,9 @@ ExpectedAnswer expected_answer(MechanismScene scene, const std::string& id) {
       throw InputError({{m.file, 0, 0, id + ": [threshold]: " + error.what()}});
     }
   }
-  return {id, SolvedMechanism(std::move(scene), true, Listing::motions), std::move(changes)};
+  SolvedMechanism solved = solve_mechanism(std::move(scene), Listing::motions);
+  auto every_q = for_every_push(solved.problem);
+  return {id, std::move(solved), std::move(every_q), std::move(changes)};
 }
 
 }  // namespace slipproof

@@ -1,4 +1,4 @@
-#include "report/planes/figures.hpp"
+#include "claims/planes/figures.hpp"
 
 #include <algorithm>
 #include <array>

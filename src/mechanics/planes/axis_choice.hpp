@@ -1,8 +1,8 @@
 // The axes of a plane: what is asked for, and where nothing is, what shows the scene.
 #pragma once
 
-#include "report/planes/mechanism_plane.hpp"
-#include "report/planes/plane_columns.hpp"
+#include "mechanics/planes/mechanism_plane.hpp"
+#include "mechanics/planes/plane_columns.hpp"
 
 namespace slipproof {
 

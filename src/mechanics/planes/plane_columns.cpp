@@ -1,4 +1,4 @@
-#include "report/planes/plane_columns.hpp"
+#include "mechanics/planes/plane_columns.hpp"
 
 #include <algorithm>
 #include <stdexcept>

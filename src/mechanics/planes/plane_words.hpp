@@ -2,7 +2,7 @@
 #pragma once
 
 #include "mechanics/mechanism/mechanism.hpp"
-#include "report/phase/phase_diagram.hpp"
+#include "mechanics/planes/phase_diagram.hpp"
 
 namespace slipproof {
 
