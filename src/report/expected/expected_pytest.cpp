@@ -5,7 +5,7 @@
 #include "base/number/binary64.hpp"
 #include "base/output/json.hpp"
 #include "contact/exchange/export_bodies.hpp"
-#include "mechanics/kernel/motions.hpp"
+#include "mechanics/kernel/motion.hpp"
 #include "report/expected/expected.hpp"
 
 namespace slipproof {
