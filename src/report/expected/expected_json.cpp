@@ -3,7 +3,7 @@
 #include "base/algebra/real_roots.hpp"
 #include "base/number/binary64.hpp"
 #include "base/number/format.hpp"
-#include "mechanics/kernel/motions.hpp"
+#include "mechanics/kernel/motion.hpp"
 #include "report/expected/expected.hpp"
 #include "report/values/mode_json.hpp"
 
