@@ -43,6 +43,9 @@ class Crew {
   /// meets it again.
   void serve();
 
+  /// On rank 0: whether a rank of this run, or of an earlier one, has answered the request.
+  bool has(std::string_view request) const { return is_kept(request); }
+
   /// On rank 0: calls take(i, result) for each request(i), i = 0, 1, ... count - 1, in this order. Results wait in the
   /// journals, not in memory. Throws what the service throws for the first request that has no result; Stopped; and
   /// whatever take() throws.

@@ -91,38 +91,27 @@ std::optional<FileOutcome> kept(const StatementSource& source) {
   return result;
 }
 
-FileOutcome outcome_of(const StatementSource& source, const ProveOptions& options, const prove::Limits& limits) {
-  if (!options.again) {
-    if (auto old = kept(source)) return *std::move(old);
-  }
-  FileOutcome result{.statement = source.path, .outcome = {}};
-  const std::string why =
-      failure_of([&] { result.outcome = prove_statement(source.path.string(), source.text, limits); });
+FileOutcome searched(const std::filesystem::path& statement, const std::string& text, const prove::Limits& limits) {
+  FileOutcome result{.statement = statement, .outcome = {}};
+  const std::string why = failure_of([&] { result.outcome = prove_statement(statement.string(), text, limits); });
   if (!why.empty()) {
-    result.outcome.theorem = source.path.stem().string();
+    result.outcome.theorem = statement.stem().string();
     result.outcome.leftover = {"a search that failed: " + why};
-  }
-  if (options.again && !result.outcome.proved()) {
-    if (auto old = kept(source)) return *std::move(old);
   }
   return result;
 }
 
+/// Without the certificate that it has so far: a run that goes on finds what it answered before.
 std::string statement_request(const StatementSource& source) {
-  ByteWriter bytes;
-  bytes.text(source.path.string()).text(source.text).number(source.certificate ? 1 : 0);
-  return bytes.text(source.certificate.value_or("")).take();
+  return ByteWriter().text(source.path.string()).text(source.text).take();
 }
 
-std::string answer_within(std::string_view request, const ProveOptions& options, const prove::Limits& limits) {
+std::string answer_within(std::string_view request, const prove::Limits& limits) {
   ByteReader bytes(request);
-  StatementSource source{.path = bytes.text(), .text = {}};
-  source.text = bytes.text();
-  const bool has_certificate = bytes.number() != 0;
-  std::string certificate(bytes.text());
-  if (has_certificate) source.certificate = std::move(certificate);
+  const std::filesystem::path statement = bytes.text();
+  const std::string text(bytes.text());
   bytes.end();
-  return outcome_bytes(outcome_of(source, options, limits));
+  return outcome_bytes(searched(statement, text, limits));
 }
 
 class Run {
@@ -131,23 +120,47 @@ class Run {
       : statements_(statements), options_(options), outcomes_(statements.size()) {}
 
   std::vector<FileOutcome> outcomes() {
-    const auto request = [&](std::uint64_t i) { return statement_request(statements_[i]); };
     on_threads(options_.threads, [&] {
+      const std::vector<std::size_t> open = keep_accepted();
       share(
-          options_.crew, [&](std::string_view asked) { return search(asked); }, statements_.size(), request,
-          [&](std::uint64_t i, const std::string& result) {
-            outcomes_[i] = read_outcome(result);
-            outcomes_[i].statement = statements_[i].path;
-            const std::scoped_lock lock(mutex_);
-            ++progress_.done;
-            if (options_.finished) options_.finished(i, outcomes_[i]);
-            tell();
-          });
+          options_.crew, [&](std::string_view asked) { return search(asked); }, open.size(),
+          [&](std::uint64_t k) { return statement_request(statements_[open[k]]); },
+          [&](std::uint64_t k, const std::string& result) { take(open[k], read_outcome(result)); });
     });
     return std::move(outcomes_);
   }
 
  private:
+  /// Takes the accepted certificates, unless they come from an earlier part of this run. Returns what is left to
+  /// search.
+  std::vector<std::size_t> keep_accepted() {
+    std::vector<std::optional<FileOutcome>> accepted(statements_.size());
+    in_parallel(0, options_.again ? 0 : statements_.size(), [&](std::size_t i) {
+      if (options_.crew != nullptr && options_.crew->has(statement_request(statements_[i]))) return;
+      accepted[i] = kept(statements_[i]);
+    });
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < accepted.size(); ++i) {
+      if (!accepted[i]) open.push_back(i);
+    }
+    for (std::size_t i = 0; i < accepted.size(); ++i) {
+      if (accepted[i]) take(i, *std::move(accepted[i]));
+    }
+    return open;
+  }
+
+  void take(std::size_t i, FileOutcome outcome) {
+    outcome.statement = statements_[i].path;
+    if (options_.again && !outcome.outcome.proved()) {
+      if (auto old = kept(statements_[i])) outcome = *std::move(old);
+    }
+    outcomes_[i] = std::move(outcome);
+    const std::scoped_lock lock(mutex_);
+    ++progress_.done;
+    if (options_.finished) options_.finished(i, outcomes_[i]);
+    tell();
+  }
+
   std::string search(std::string_view request) {
     prove::Limits limits = options_.limits;
     const std::filesystem::path statement = ByteReader(request).text();
@@ -157,7 +170,7 @@ class Run {
       progress_.steps = steps;
       tell();
     };
-    return answer_within(request, options_, limits);
+    return answer_within(request, limits);
   }
 
   void tell() {
@@ -212,7 +225,7 @@ std::vector<StatementSource> read_statements(const std::vector<std::filesystem::
 }
 
 std::string answer_statement(std::string_view request, const ProveOptions& options) {
-  return answer_within(request, options, options.limits);
+  return answer_within(request, options.limits);
 }
 
 std::vector<FileOutcome> prove_files(const std::vector<StatementSource>& statements, const ProveOptions& options) {

@@ -57,7 +57,7 @@ struct ProveOptions {
   std::function<void(const ProveProgress& progress)> progress;  ///< now and then, from one thread at a time
 };
 
-/// Answers a request to a rank: a statement's path, text and certificate. Only those `options` count that the outcome
+/// Answers a request to a rank: a statement's path and text. Only those `options` count that the outcome
 /// depends on. Throws InputError.
 std::string answer_statement(std::string_view request, const ProveOptions& options);
 
