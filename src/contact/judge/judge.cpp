@@ -321,6 +321,7 @@ ContactJudgement judge_contacts(const MixedProblem& problem, std::vector<double>
     judgement.verdict = ContactVerdict::eps_solution;
     if (known) judgement.reason = "the solution that was found is too far from the answer";
     if (!strong) judgement.reason = "of this law only the residual is judged";
+    if (judgement.reason.empty()) judgement.reason = "no bound on solutions is as narrow as the tolerance";
   } else {
     judgement.verdict = ContactVerdict::wrong;
     judgement.reason.clear();  // why nothing is enclosed is no news any more
