@@ -120,19 +120,21 @@ bool solves(const ProblemFile& p, const std::vector<Rational>& r, const std::vec
 
 bool solves_roughly(const ProblemFile& p, const std::vector<double>& r, double error) {
   double force = 0, speed = 0;  // the sizes by which errors are measured: without forces, what would stop q
+  double largest = 0;           // entry of W: what a change of a force can do, also of one that moves nothing
   std::vector<double> u;
   for (std::size_t i = 0; i < r.size(); ++i) {
     double sum = p.q[i], size = std::abs(p.q[i]);
     for (std::size_t e = p.W.starts[i]; e < p.W.starts[i + 1]; ++e) {
       sum += p.W.value[e] * r[p.W.column[e]];
       size += std::abs(p.W.value[e] * r[p.W.column[e]]);
-      if (p.W.column[e] == i && p.W.value[e] > 0) force = std::max(force, std::abs(p.q[i]) / p.W.value[e]);
+      if (p.W.value[e] != 0) force = std::max(force, std::abs(p.q[i] / p.W.value[e]));
+      largest = std::max(largest, std::abs(p.W.value[e]));
     }
     u.push_back(sum);
     speed = std::max(speed, size);
     force = std::max(force, std::abs(r[i]));
   }
-  const double small_force = error * force, small_speed = error * speed;
+  const double small_force = error * force, small_speed = error * std::max(speed, largest * force);
   for (std::size_t k = 0; k * p.dimension < r.size(); ++k) {
     const std::size_t n = k * p.dimension, d = p.dimension;
     if (r[n] < -small_force || u[n] < -small_speed || (r[n] > small_force && u[n] > small_speed)) return false;
