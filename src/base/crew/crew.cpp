@@ -85,7 +85,7 @@ std::optional<std::string> Crew::find(std::string_view request) const {
   return result;
 }
 
-bool Crew::is_kept(std::string_view request) const {
+bool Crew::has(std::string_view request) const {
   const std::scoped_lock lock(mutex_);
   return own_.has(request) ||
          std::ranges::any_of(others_, [&](const auto& other) { return other.second.has(request); });
@@ -109,7 +109,7 @@ void Crew::answer(Stage& stage, const std::vector<std::uint64_t>& which) {
   const auto answer_one = [&](std::uint64_t i) {
     stop_if_asked();
     try {
-      if (!is_kept(stage.requests[i])) keep(stage.requests[i], service_(stage.requests[i]));
+      if (!has(stage.requests[i])) keep(stage.requests[i], service_(stage.requests[i]));
     } catch (const Stopped&) {
       throw;
     } catch (const std::exception&) {
@@ -149,7 +149,7 @@ void Crew::each(std::uint64_t count, const std::function<std::string(std::uint64
   for (refresh(); !stage.advance(); refresh()) {
     std::vector<std::uint64_t> left;
     for (std::uint64_t i = stage.taken(); i < count; ++i) {
-      if (!lives[i % ranks] && !stage.failures[i] && !is_kept(stage.requests[i])) left.push_back(i);
+      if (!lives[i % ranks] && !stage.failures[i] && !has(stage.requests[i])) left.push_back(i);
     }
     answer(stage, left);
     if (left.empty()) std::this_thread::sleep_for(patience);

@@ -43,8 +43,8 @@ class Crew {
   /// meets it again.
   void serve();
 
-  /// On rank 0: whether a rank of this run, or of an earlier one, has answered the request.
-  bool has(std::string_view request) const { return is_kept(request); }
+  /// Whether this rank, or another of this run or of an earlier one, has answered the request.
+  bool has(std::string_view request) const;
 
   /// On rank 0: calls take(i, result) for each request(i), i = 0, 1, ... count - 1, in this order. Results wait in the
   /// journals, not in memory. Throws what the service throws for the first request that has no result; Stopped; and
@@ -57,7 +57,6 @@ class Crew {
   std::filesystem::path journal_of(int rank) const;
   void refresh();
   std::optional<std::string> find(std::string_view request) const;
-  bool is_kept(std::string_view request) const;
   void keep(std::string_view request, std::string_view result);
   bool answer_list(std::string_view bytes);
   void answer(Stage& stage, const std::vector<std::uint64_t>& which);

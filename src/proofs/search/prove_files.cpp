@@ -141,10 +141,11 @@ class Run {
     });
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < accepted.size(); ++i) {
-      if (!accepted[i]) open.push_back(i);
-    }
-    for (std::size_t i = 0; i < accepted.size(); ++i) {
-      if (accepted[i]) take(i, *std::move(accepted[i]));
+      if (accepted[i]) {
+        take(i, *std::move(accepted[i]));
+      } else {
+        open.push_back(i);
+      }
     }
     return open;
   }
