@@ -1,7 +1,6 @@
 #include "contact/judge/judge.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/number/binary64.hpp"
@@ -18,20 +17,6 @@
 namespace slipproof {
 
 namespace {
-
-constexpr std::array<std::string_view, 13> verdict_names{"invalid",
-                                                         "wrong",
-                                                         "not converged",
-                                                         "inaccurate",
-                                                         "eps-solution",
-                                                         "solution within rho",
-                                                         "unique",
-                                                         "velocities within rho",
-                                                         "velocities of a solution within rho",
-                                                         "no solution within rho",
-                                                         "no solution",
-                                                         "ambiguous",
-                                                         "undecided"};
 
 /// The largest |u_i - (A x + c)_i|, rounded up.
 double velocity_error_of(const MixedProblem& problem, std::span<const Rational> w, std::span<const double> u) {
@@ -89,7 +74,7 @@ class ContactCase {
 
   /// Looks for multipliers that show that there is no solution at all.
   bool none_at_all() {
-    if (all_ && all_->solutions.empty() && all_->continua.empty()) return true;
+    if (j_.all && j_.all->none()) return true;
     if (problem_.size() > 60) return false;
     std::optional<std::vector<Rational>> found;
     extra("why there is no solution", [&] { found = infeasibility(problem_, effort_); });
@@ -109,14 +94,16 @@ class ContactCase {
   }
 
   /// All solutions of a small problem, and the mode of an answer that is none.
-  void tell_all() {
-    if (!j_.small) j_.small = small_case(problem_, j_.x, u_, options_.tolerance, effort_);
+  std::optional<SmallCase> tell_all() {
+    auto small = small_case(problem_, j_.x, u_, options_.tolerance, effort_);
+    if (small) j_.all = small->found.all, j_.own = small->found.own;
+    return small;
   }
 
   bool certainly_several() const { return j_.other || !j_.other_exact.empty(); }
-  bool certainly_one() const { return j_.unique_by || (j_.every && j_.every->unique()) || (all_ && all_->one()); }
+  bool certainly_one() const { return j_.unique_by || (j_.every && j_.every->unique()) || (j_.all && j_.all->one()); }
   /// Whether the known solution is the nearest there is.
-  bool knows_all() const { return all_ || j_.unique_by || (j_.every && j_.every->unique()); }
+  bool knows_all() const { return j_.all || j_.unique_by || (j_.every && j_.every->unique()); }
 
  private:
   /// What follows for every solution, around the one that is known, or around the answer with its forces improved.
@@ -146,22 +133,23 @@ class ContactCase {
 
   /// Holds the answer against all solutions of a small problem; true if that settles it.
   bool judge_among_all() {
-    tell_all();
-    if (j_.small && j_.small->found.meant) take(j_.small->eliminated, j_.small->found);
-    if (j_.small) all_ = j_.small->found.all;
-    return all_.has_value();
+    const auto small = tell_all();
+    if (small && small->found.nearest) take(small->eliminated, small->found);
+    return small.has_value();
   }
 
   void take(const EliminatedProblem& small, const SmallJudgement& found) {
-    j_.exact = small.with_free(found.meant->z);
+    const std::vector<Rational> nearest = values_of(found.all.solutions[*found.nearest].r);
+    j_.exact = small.with_free(nearest);
     j_.rho = distance_from(j_.exact, j_.x);
-    if (found.all->one()) j_.unique_by = prove_unique(problem_, effort_);
-    std::vector<std::vector<Rational>> others = found.members;
-    for (const ContactSolution& s : found.all->solutions) others.push_back(s.z);
-    if (!found.all->continua.empty()) {
-      for (auto& z : found.all->continua.front().two(effort_)) others.push_back(std::move(z));
+    if (found.all.one()) j_.unique_by = prove_unique(problem_, effort_);
+    std::vector<std::vector<Rational>> others;
+    for (const FoundSolution& s : found.all.solutions) others.push_back(values_of(s.r));
+    std::ranges::rotate(others, others.begin() + static_cast<std::ptrdiff_t>(found.all.singles()));
+    if (!found.continua.empty()) {
+      for (auto& z : found.continua.front().two(effort_)) others.push_back(std::move(z));
     }
-    const auto other = std::ranges::find_if(others, [&](const auto& z) { return z != found.meant->z; });
+    const auto other = std::ranges::find_if(others, [&](const auto& z) { return z != nearest; });
     if (other != others.end()) j_.other_exact = small.with_free(*other);
   }
 
@@ -230,7 +218,6 @@ class ContactCase {
   const ContactJudgeOptions& options_;
   ContactJudgement& j_;
   Effort effort_;
-  std::optional<ContactSolutions> all_;  ///< where they were found
 };
 
 /// Whether the nearest solution may be near: where the law fails all around, it is not.
@@ -260,16 +247,6 @@ std::vector<std::size_t> open_contacts(const MixedProblem& problem, const Contac
 }
 
 }  // namespace
-
-std::string_view name(ContactVerdict verdict) {
-  return verdict_names[static_cast<std::size_t>(verdict)];
-}
-
-bool is_certified(ContactVerdict verdict) {
-  using enum ContactVerdict;
-  return verdict == solution_within_rho || verdict == unique || verdict == velocities_within_rho ||
-         verdict == velocities_of_a_solution;
-}
 
 ContactJudgement judge_contacts(const MixedProblem& problem, std::vector<double> x, std::span<const double> u,
                                 const ContactJudgeOptions& options) {
@@ -335,7 +312,7 @@ ContactJudgement judge_contacts(const MixedProblem& problem, std::vector<double>
       judgement.reason = "the nearest solution is farther from it than a hundredth of the largest force";
     }
   }
-  if (judgement.verdict == ContactVerdict::wrong && problem.is_coulomb()) found.tell_all();
+  if (judgement.verdict == ContactVerdict::wrong && problem.is_coulomb() && !judgement.all) found.tell_all();
   if (right) found.look_for_open_forces();
   return judgement;
 }

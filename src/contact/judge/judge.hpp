@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,31 +13,11 @@
 #include "contact/enclosure/residual.hpp"
 #include "contact/exact/exclusion.hpp"
 #include "contact/exact/unique_class.hpp"
+#include "contact/judge/all_solutions.hpp"
 #include "contact/problem/tolerance.hpp"
 #include "contact/ranges/open_forces.hpp"
 
 namespace slipproof {
-
-enum class ContactVerdict : std::uint8_t {
-  invalid,        ///< NaN, infinity, or no answer of the problem's size
-  wrong,          ///< the backward error is above the tolerance, and no solution near it is known
-  not_converged,  ///< the backward error is above the tolerance, and a solution is near it
-  inaccurate,     ///< it solves a problem within the tolerance, but the solution near it is farther away than that
-  eps_solution,   ///< it solves a problem within the tolerance; nothing stronger is proved
-  solution_within_rho,       ///< an exact solution is within rho of it, and within the tolerance
-  unique,                    ///< and it is the only one there is
-  velocities_within_rho,     ///< nothing determines some forces; the velocities of every solution are within eta
-  velocities_of_a_solution,  ///< an exact solution's velocities are within eta of it; forces that rounding decides
-                             ///< differ
-  none_within_rho,           ///< no exact solution is within the radius that was asked for
-  no_solution,               ///< the problem has none at all
-  ambiguous,                 ///< it is one of several
-  undecided                  ///< no answer was given, and none was found
-};
-std::string_view name(ContactVerdict verdict);
-/// `solution_within_rho`, `unique`, `velocities_within_rho` and `velocities_of_a_solution`: all that one could ask of
-/// an answer.
-bool is_certified(ContactVerdict verdict);
 
 struct ContactJudgeOptions {
   /// On the error of the answer (sizes.hpp) where a solution is known, else on its backward error.
@@ -51,8 +30,6 @@ struct ContactJudgeOptions {
   Work effort = 3'000'000'000;     ///< for theorems about all answers, and for exact solutions: a few seconds
   std::size_t others_up_to = 200;  ///< unknowns of a mode up to which other solutions are looked for
 };
-
-struct SmallCase;
 
 /// A search for other solutions in modes whose equations are linear.
 struct LinearSearch {
@@ -81,10 +58,11 @@ struct ContactJudgement {
   std::optional<Enclosure> other;      ///< a solution elsewhere: there are several
   std::vector<Rational> other_exact;
   std::optional<LinearSearch> linear_modes;
-  std::optional<UniqueProof> unique_by;    ///< why there is no other; without it all modes were tried
-  std::vector<Rational> multipliers;       ///< a proof that there is no solution at all (no_solution.hpp)
-  std::vector<std::string> left_out;       ///< what was looked for beyond that, and failed: what it is, and why
-  std::shared_ptr<const SmallCase> small;  ///< where all solutions of a small problem are known (small.hpp)
+  std::optional<UniqueProof> unique_by;  ///< why there is no other; without it all modes were tried
+  std::vector<Rational> multipliers;     ///< a proof that there is no solution at all (no_solution.hpp)
+  std::vector<std::string> left_out;     ///< what was looked for beyond that, and failed: what it is, and why
+  std::optional<AllSolutions> all;       ///< where all are known, the nearest of each family (small.hpp)
+  std::optional<OwnMode> own;            ///< then, of an answer that is near none of them
 
   /// Whether a solution within rho is known.
   bool has_solution() const { return enclosure || !exact.empty() || (every && every->unique()); }

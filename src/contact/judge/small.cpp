@@ -24,10 +24,10 @@ class SmallJudge {
   }
 
   SmallJudgement judge() {
-    result_.looks_like = answer_.mode ? *answer_.mode : mode_of_answer();
-    result_.all = solutions();
-    if (result_.all) {
-      judge_among(*result_.all);
+    own_ = answer_.mode ? *answer_.mode : mode_of_answer();
+    result_.all.dimension = problem_.frictional() ? 2 : 1;
+    if (auto all = solutions()) {
+      judge_among(*std::move(all));
     } else {
       judge_alone();
     }
@@ -96,7 +96,7 @@ class SmallJudge {
     std::optional<ContactSolutions> all;
     if (few) all = solver_.all(effort_);
     if (all) return all;
-    if (auto only = solver_.unique_solution(result_.looks_like, effort_)) {
+    if (auto only = solver_.unique_solution(own_, effort_)) {
       result_.unique_by = EveryLoad::Reason::definite;
       all.emplace();
       all->solutions.push_back(std::move(*only));
@@ -149,51 +149,68 @@ class SmallJudge {
     return mode;
   }
 
-  void consider(const std::vector<ProblemMode>& modes, const Compared& to) {
+  void add(const std::vector<ProblemMode>& modes, bool strict, const Compared& solution, std::size_t directions = 0) {
+    FoundSolution& found = result_.all.solutions.emplace_back();
+    for (const ProblemMode& mode : modes) found.modes.push_back(name(problem_, mode));
+    found.r = points(solution.z);
+    found.u = points(solution.w);
+    found.open_directions = directions;
+    found.strict = strict;
     if (answer_.mode && std::find(modes.begin(), modes.end(), *answer_.mode) == modes.end()) return;
-    Distance d = distance_to(to);
-    if (!result_.meant || is_nearer(d, result_.meant->distance, tolerance_))
-      result_.meant = {modes, to.z, std::move(d)};
+    Distance d = distance_to(solution);
+    if (result_.nearest && !is_nearer(d, result_.distance, tolerance_)) return;
+    result_.nearest = result_.all.solutions.size() - 1;
+    result_.distance = std::move(d);
   }
 
-  void judge_among(const ContactSolutions& all) {
-    for (const auto& s : all.solutions) consider(s.modes, determined(s.z));
-    for (const auto& c : all.continua) {
-      Compared member = nearest_member(c);
-      consider({c.mode}, member);
-      result_.members.push_back(std::move(member.z));
-    }
-    if (result_.near()) {
-      accept(all.one() ? ContactVerdict::unique : ContactVerdict::ambiguous);
-      return;
-    }
-    result_.verdict = ContactVerdict::wrong;
+  void add(ContactContinuum c) {
+    add({c.mode}, false, nearest_member(c), c.directions.size());
+    result_.continua.push_back(std::move(c));
+  }
+
+  void judge_among(ContactSolutions all) {
+    for (const auto& s : all.solutions) add(s.modes, s.strict, determined(s.z));
+    for (auto& c : all.continua) add(std::move(c));
+    const FoundSolution* meant = result_.meant();
+    accept(result_.all.verdict(meant));
+    if (meant != nullptr) return;
     Effort again(allowed_);
-    result_.own = solver_.solve(result_.looks_like, again);
+    tell_own(solver_.solve(own_, again));
   }
 
   /// Judges the answer by its own mode.
   void judge_alone() {
     const Work needed = solver_.work_of_all();  // continua take more
     result_.needed = needed > allowed_ ? needed : unlimited;
-    result_.own = solver_.solve(result_.looks_like, effort_);
-    result_.verdict = answer_.mode ? ContactVerdict::wrong : ContactVerdict::undecided;
-    const std::optional<ContactContinuum>& continuum = result_.own->continuum;
-    if (continuum) {
-      consider({result_.looks_like}, nearest_member(*continuum));
-    } else if (result_.own->kind == ModeOutcome::Kind::solution) {
-      consider({result_.looks_like}, determined(result_.own->z));
+    result_.all.unexamined.emplace_back("the other modes");
+    ModeOutcome outcome = solver_.solve(own_, effort_);
+    const bool open = outcome.continuum.has_value();  // then it always has many solutions
+    if (open) add(*std::move(outcome.continuum));
+    if (outcome.kind == ModeOutcome::Kind::solution) add({own_}, outcome.strict, determined(outcome.z));
+    if (result_.meant() == nullptr) {
+      result_.verdict = answer_.mode ? ContactVerdict::wrong : ContactVerdict::undecided;
+      return tell_own(outcome);
     }
-    if (!result_.near()) return;
-    if (!continuum && is_unique_by_bound(problem_)) result_.unique_by = EveryLoad::Reason::bound;
-    accept(continuum           ? ContactVerdict::ambiguous  // it always has many solutions
-           : result_.unique_by ? ContactVerdict::unique
-                               : ContactVerdict::undecided);
+    if (!open && is_unique_by_bound(problem_)) result_.unique_by = EveryLoad::Reason::bound;
+    accept(open ? ContactVerdict::ambiguous : result_.unique_by ? ContactVerdict::unique : ContactVerdict::undecided);
   }
 
   void accept(ContactVerdict if_accurate) {
-    const bool accurate = result_.meant->distance.scaled <= tolerance_;
-    result_.verdict = accurate ? if_accurate : ContactVerdict::inaccurate;
+    const bool inaccurate = result_.meant() != nullptr && result_.distance.scaled > tolerance_;
+    result_.verdict = inaccurate ? ContactVerdict::inaccurate : if_accurate;
+  }
+
+  void tell_own(const ModeOutcome& outcome) {
+    OwnMode& own = result_.own.emplace();
+    own.mode = name(problem_, own_);
+    own.claimed = answer_.mode.has_value();
+    if (outcome.kind == ModeOutcome::Kind::violated) {
+      own.violated = name(problem_, *outcome.condition);
+      own.margin = outcome.margin;
+    } else {
+      own.reason = outcome.kind == ModeOutcome::Kind::inconsistent ? "the mode has no solution"
+                                                                   : "the mode is right, its numbers are not";
+    }
   }
 
   const ContactProblem& problem_;
@@ -203,13 +220,14 @@ class SmallJudge {
   const Work allowed_;
   Effort& effort_;
   Rational force_ = 0;
+  ProblemMode own_;  ///< the mode that the answer claims, or suggests
   SmallJudgement result_;
 };
 
 }  // namespace
 
-bool SmallJudgement::near() const {
-  return meant && meant->distance.scaled <= to_rational(contact_near);
+const FoundSolution* SmallJudgement::meant() const {
+  return nearest && distance.scaled <= to_rational(contact_near) ? &all.solutions[*nearest] : nullptr;
 }
 
 SmallJudgement judge_small(const ContactProblem& problem, const ProblemAnswer& answer, double tolerance,
@@ -217,21 +235,22 @@ SmallJudgement judge_small(const ContactProblem& problem, const ProblemAnswer& a
   return SmallJudge(problem, answer, tolerance, effort).judge();
 }
 
-std::shared_ptr<const SmallCase> small_case(const MixedProblem& problem, std::span<const double> x,
-                                            std::span<const double> u, double tolerance, Effort& effort) {
+std::optional<SmallCase> small_case(const MixedProblem& problem, std::span<const double> x, std::span<const double> u,
+                                    double tolerance, Effort& effort) {
   const std::size_t n = problem.size(), free = problem.free, most_free = 200;
-  if (problem.dimension == 3 || free > most_free || n - free > few_components || (n == free && n > 0)) return nullptr;
+  if (problem.dimension == 3 || free > most_free || n - free > few_components || (n == free && n > 0))
+    return std::nullopt;
   try {
     effort.spend(times(times(free, free), times(free, 8)));
     auto eliminated = slipproof::eliminated(problem);
-    if (!eliminated) return nullptr;
+    if (!eliminated) return std::nullopt;
     ProblemAnswer answer{to_rationals(x.subspan(free)), std::nullopt, std::nullopt};
     if (!u.empty()) answer.w = to_rationals(u);
     SmallJudgement found = judge_small(eliminated->problem, answer, tolerance, effort);
-    if (!found.all) return nullptr;
-    return std::make_shared<SmallCase>(SmallCase{*std::move(eliminated), std::move(answer), std::move(found)});
+    if (!found.all.complete()) return std::nullopt;
+    return SmallCase{*std::move(eliminated), std::move(found)};
   } catch (const TooMuchWork&) {
-    return nullptr;
+    return std::nullopt;
   }
 }
 

@@ -1,13 +1,11 @@
 // An answer to a small problem, held against all solutions of the problem in exact numbers.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
-#include "contact/judge/judge.hpp"
+#include "contact/judge/all_solutions.hpp"
 #include "contact/problem/every_load.hpp"
 #include "contact/problem/mixed_problem.hpp"
 #include "contact/problem/solutions.hpp"
@@ -26,33 +24,25 @@ struct ProblemAnswer {
 };
 
 struct SmallJudgement {
-  /// The solution that an answer means: the nearest, of the answer's mode where it claims one.
-  struct Meant {
-    std::vector<ProblemMode> modes;
-    std::vector<Rational> z;
-    Distance distance;
-  };
-  ContactVerdict verdict = ContactVerdict::undecided;  ///< unique, ambiguous, inaccurate, wrong or undecided
-  ProblemMode looks_like;                              ///< the mode that the answer claims, or suggests
-  std::optional<ContactSolutions> all;                 ///< nothing where finding them is beyond the effort
-  std::vector<std::vector<Rational>> members;          ///< of each continuum in `all` the one nearest to the answer
-  std::optional<Meant> meant;
+  /// unique, ambiguous, inaccurate, wrong, no_solution or undecided
+  ContactVerdict verdict = ContactVerdict::undecided;
+  /// Those of no family first. If trying all modes is beyond the effort, those of the answer's mode.
+  AllSolutions all;
+  std::vector<ContactContinuum> continua;      ///< the families in `all`
+  std::optional<std::size_t> nearest;          ///< in `all`, to the answer; of the answer's mode if it claims one
+  Distance distance;                           ///< of that
   std::optional<EveryLoad::Reason> unique_by;  ///< the theorem by which no other mode was tried
-  /// What the mode `looks_like` gives: of a wrong answer, and where not all solutions are known.
-  std::optional<ModeOutcome> own;
-  Work needed = 0;  ///< where not all are known: what that would take, endless if unknown
+  std::optional<OwnMode> own;                  ///< if no solution is near
+  Work needed = 0;                             ///< where not all are known: what that would take, endless if unknown
 
-  /// Whether `meant` is near enough to say that the answer means it.
-  bool near() const;
+  /// The solution that is near enough to say that the answer means it; null if there is none.
+  const FoundSolution* meant() const;
 };
 
-/// A small problem, an answer to it, and what was found.
+/// What was found of an answer to a small problem, and the problem without its free unknowns.
 struct SmallCase {
-  EliminatedProblem eliminated;  ///< the problem without its free unknowns
-  ProblemAnswer answer;
+  EliminatedProblem eliminated;
   SmallJudgement found;
-
-  const ContactProblem& problem() const { return eliminated.problem; }
 };
 
 /// Compares Distance::scaled (yardstick.hpp) with the tolerance, and with `contact_near` beyond which an answer is
@@ -65,9 +55,9 @@ SmallJudgement judge_small(const ContactProblem& problem, const ProblemAnswer& a
                            Effort& effort);
 
 /// Holds an answer, free unknowns included, against all solutions of a problem in the plane or without friction that
-/// has at most `few_components` components. `u` are the velocities that it gives, or empty. Null for any other problem,
-/// where not all solutions are known, and beyond the effort.
-std::shared_ptr<const SmallCase> small_case(const MixedProblem& problem, std::span<const double> x,
-                                            std::span<const double> u, double tolerance, Effort& effort);
+/// has at most `few_components` components. `u` are the velocities that it gives, or empty. Nothing for any other
+/// problem, where not all solutions are known, and beyond the effort.
+std::optional<SmallCase> small_case(const MixedProblem& problem, std::span<const double> x, std::span<const double> u,
+                                    double tolerance, Effort& effort);
 
 }  // namespace slipproof

@@ -13,7 +13,6 @@
 #include "contact/exact/exact_lcp.hpp"
 #include "contact/formats/problem_check.hpp"
 #include "contact/judge/find.hpp"
-#include "contact/judge/small_json.hpp"
 
 namespace slipproof {
 
@@ -157,10 +156,10 @@ Json open_forces_json(const OpenForces& open) {
 }
 
 /// All solutions of a small problem, and the exact margin by which a wrong answer's mode fails.
-Json all_json(const SmallCase& small) {
-  Json all{{"solutions", small.found.all->solutions.size()}, {"continuum", !small.found.all->continua.empty()}};
-  if (small.found.own) add_own_mode(small.problem(), small.answer, small.found, all);
-  add_solutions(small.problem(), small.found, all);
+Json all_json(const ContactJudgement& j) {
+  Json all{{"solutions", j.all->singles()}, {"continuum", j.all->families() > 0}};
+  if (j.own) add_own_mode(*j.own, all);
+  add_solutions(*j.all, all);
   return all;
 }
 
@@ -237,7 +236,7 @@ std::string contact_members(const JudgedProblem& problem, std::size_t answer) {
   if (!j.exact.empty() && j.exact.size() <= 64) line["exact"] = exact_texts(j.exact);
   if (!j.other_exact.empty()) line["other"] = exact_texts(j.other_exact);
   if (j.unique_by) line["unique_by"] = name(j.unique_by->kind);
-  if (j.small) line["all"] = all_json(*j.small);
+  if (j.all) line["all"] = all_json(j);
   if (!j.left_out.empty()) line["left_out"] = j.left_out;
   if (!problem.problem.remarks.empty()) line["remarks"] = problem.problem.remarks;
   return ',' + inner_json_text(line);

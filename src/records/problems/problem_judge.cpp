@@ -3,7 +3,6 @@
 #include "base/number/binary64.hpp"
 #include "base/number/format.hpp"
 #include "base/output/json.hpp"
-#include "contact/judge/small_json.hpp"
 #include "contact/problem/every_load_json.hpp"
 
 namespace slipproof {
@@ -32,50 +31,33 @@ class ProblemRecordWriter {
 
  private:
   void tell(const SmallJudgement& found) {
+    const FoundSolution* meant = found.meant();
+    const bool all = found.all.complete();
     result_.verdict = record_verdict(found.verdict);
-    if (found.near()) {
-      result_.mode_names = inner_json_text(modes_json(problem_, found.meant->modes));
-      result_.max_error = enclose(found.meant->distance.relative).upper;
+    result_.counted = all || meant != nullptr;
+    if (meant != nullptr) {
+      result_.mode_names = inner_json_text(meant->modes);
+      result_.max_error = enclose(found.distance.relative).upper;
+    }
+    if (result_.counted) {
+      result_.motions = found.all.singles();
+      result_.continuum = found.all.families() > 0;
     }
     if (found.unique_by) details_["unique_by"] = name(*found.unique_by);
-    if (found.all) {
-      tell_all(found);
-    } else if (found.near()) {
-      tell_its_mode(found);
-    } else {
-      result_.counted = false;
-      add_own_mode(problem_, answer_, found, details_);
-      if (found.verdict == ContactVerdict::undecided) details_["unexamined"] = others_unexamined(found);
+    if (found.own) add_own_mode(*found.own, details_);
+    if (all && result_.verdict != RecordVerdict::certified) add_solutions(found.all, details_);
+    if (all || found.unique_by || (found.own && found.own->claimed)) return;
+    if (meant != nullptr) {
+      details_["reason"] =
+          result_.continuum ? "in a mode with a continuum of solutions" : "near the solution of its mode";
     }
-  }
-
-  /// All solutions are known.
-  void tell_all(const SmallJudgement& found) {
-    result_.motions = found.all->solutions.size();
-    result_.continuum = !found.all->continua.empty();
-    if (found.own) add_own_mode(problem_, answer_, found, details_);
-    if (result_.verdict == RecordVerdict::certified) return;
-    add_solutions(problem_, found, details_);
-  }
-
-  /// The answer is the solution of its mode, or one of them; the other modes were not tried.
-  void tell_its_mode(const SmallJudgement& found) {
-    result_.continuum = found.own->continuum.has_value();
-    result_.motions = result_.continuum ? 0 : 1;
-    if (found.unique_by) return;
-    details_["reason"] =
-        result_.continuum ? "in a mode with a continuum of solutions" : "near the solution of its mode";
-    details_["unexamined"] = others_unexamined(found);
+    details_["unexamined"] = "the other modes: " + too_much_work(found.needed, options_.effort);
   }
 
   void tell_every_q() {
     Effort again(options_.effort);
     const EveryLoad found = for_every_load(problem_, again);
     details_["every_q"] = slipproof::to_json(found, found.mode ? name(problem_, *found.mode) : "");
-  }
-
-  std::string others_unexamined(const SmallJudgement& found) const {
-    return "the other modes: " + too_much_work(found.needed, options_.effort);
   }
 
   const ContactProblem& problem_;
@@ -88,12 +70,8 @@ class ProblemRecordWriter {
 }  // namespace
 
 RecordVerdict record_verdict(ContactVerdict verdict) {
+  if (is_certified(verdict)) return RecordVerdict::certified;
   switch (verdict) {
-    case ContactVerdict::unique:
-    case ContactVerdict::solution_within_rho:
-    case ContactVerdict::velocities_within_rho:
-    case ContactVerdict::velocities_of_a_solution:
-      return RecordVerdict::certified;
     case ContactVerdict::ambiguous:
       return RecordVerdict::ambiguous;
     case ContactVerdict::inaccurate:

@@ -75,11 +75,6 @@ std::string uniqueness(const ContactJudgement& j) {
   return is_certified(j.verdict) ? near + "; others are not excluded" : near;
 }
 
-/// Contacts, and rows of the other unknowns, count from 1.
-std::string place_of(const std::optional<std::size_t>& contact, std::size_t row) {
-  return contact ? "contact " + std::to_string(*contact + 1) : "equation " + std::to_string(row + 1);
-}
-
 /// The text of an upper bound; a bound of 0 is the number itself.
 std::string bound_text(double bound) {
   return bound == 0 ? "0" : "≤ " + at_most(bound);
@@ -95,7 +90,7 @@ void add_bounds(const Element& parent, const ContactJudgement& j) {
   if (j.excluded() > 0) {
     const bool fails = j.exclusion && j.exclusion->radius > 0;
     list.add("no solution within", at_least(j.excluded()),
-             fails ? "in each component: the law of " + place_of(j.exclusion->contact, j.exclusion->row) +
+             fails ? "in each component: the law of " + place_words(j.exclusion->contact, j.exclusion->row) +
                          " fails in all of that box"
                    : "in each component: every solution is farther away");
   }
@@ -107,14 +102,6 @@ void add_bounds(const Element& parent, const ContactJudgement& j) {
     list.add("velocity error", bound_text(j.velocity_error), "between those of the answer and those of its forces");
   if (j.enclosure) list.add("undetermined forces", std::to_string(j.undetermined), "of the components");
   if (j.law != FrictionLaw::cone) list.add("law", std::string(name(j.law)), "in place of the cone");
-}
-
-std::string numbers_of(const std::vector<std::size_t>& contacts, std::size_t most) {
-  std::string text;
-  for (std::size_t i = 0; i < std::min(contacts.size(), most); ++i) {
-    text += (i == 0 ? "" : ", ") + std::to_string(contacts[i] + 1);
-  }
-  return contacts.size() > most ? text + fmt::format(" and {} more", contacts.size() - most) : text;
 }
 
 /// Names the contacts at which the other solution has another mode.
@@ -140,7 +127,7 @@ void add_reasons(const Element& parent, const ContactJudgement& j) {
   if (j.contacts.size() < 2) return;
   const Element details = parent.add("details", "data");
   details.add("summary").text("The " + counted(j.contacts.size(), "contact") + " that this is about");
-  details.add("p").text(numbers_of(j.contacts, listed_contacts) + ".");
+  details.add("p").text(numbers_words(j.contacts, listed_contacts) + ".");
 }
 
 void add_worst(const Element& parent, const Residual& residual, std::size_t answer) {
@@ -151,7 +138,7 @@ void add_worst(const Element& parent, const Residual& residual, std::size_t answ
   table.caption = "The largest effect first, ten at most. Contacts count from 1. All bounds are upper bounds.";
   table.css_class = "worst";
   for (const Violation& violation : residual.worst) {
-    table.row({place_of(violation.contact, violation.row), code(violation.condition), at_most(violation.amount),
+    table.row({place_words(violation.contact, violation.row), code(violation.condition), at_most(violation.amount),
                at_most(violation.effect)});
   }
   add_table(parent, table);
@@ -214,7 +201,7 @@ std::string left_out(const ConeDisc& disc) {
   if (disc.counts.open > 0) text += " Not drawn: " + counted(disc.counts.open, "open contact") + ".";
   if (disc.counts.smooth > 0)
     text += " Not drawn, for want of friction: " + counted(disc.counts.smooth, "contact") + ".";
-  if (!disc.unplaced.empty()) text += " Not drawn though among the worst: " + numbers_of(disc.unplaced, 10) + ".";
+  if (!disc.unplaced.empty()) text += " Not drawn though among the worst: " + numbers_words(disc.unplaced, 10) + ".";
   return text;
 }
 

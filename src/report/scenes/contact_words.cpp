@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/number/binary64.hpp"
 #include "base/number/format.hpp"
 
 namespace slipproof {
@@ -16,15 +17,7 @@ std::string size_of(const MixedProblem& problem) {
 }
 
 std::string contact_list(const std::vector<std::size_t>& contacts) {
-  std::string text = contacts.size() == 1 ? "contact" : "contacts";
-  for (std::size_t i = 0; i < std::min<std::size_t>(contacts.size(), 6); ++i) {
-    text += fmt::format("{} {}", i == 0 ? "" : ",", contacts[i] + 1);
-  }
-  return contacts.size() > 6 ? text + fmt::format(" and {} more", contacts.size() - 6) : text;
-}
-
-std::string place_of(const Violation& v) {
-  return v.contact ? fmt::format("contact {}", *v.contact + 1) : fmt::format("row {}", v.row + 1);
+  return (contacts.size() == 1 ? "contact " : "contacts ") + numbers_words(contacts, 6);
 }
 
 std::string range_words(const NormalRange& range) {
@@ -46,10 +39,77 @@ std::string open_words(const OpenForces& open, const ContactUnits& units) {
 }
 
 std::string violation_words(const Violation& v) {
-  return fmt::format("{}, {}, by {}", place_of(v), v.condition, at_most(v.amount));
+  return fmt::format("{}, {}, by {}", place_words(v.contact, v.row), v.condition, at_most(v.amount));
+}
+
+/// `zw = zz` for a solution in two modes.
+std::string modes_words(const FoundSolution& solution) {
+  std::string text;
+  for (const std::string& mode : solution.modes) text += (text.empty() ? "" : " = ") + mode;
+  return text;
+}
+
+/// How far solutions are apart in one of their quantities, and where most: `differ by up to 1.00e+00 at contact 2`.
+std::string apart_words(const AllSolutions& all, std::vector<Range> FoundSolution::*quantity, const std::string& unit) {
+  double most = 0;
+  std::size_t where = 0;
+  for (std::size_t i = 0; i < (all.solutions.front().*quantity).size(); ++i) {
+    std::optional<Rational> least, largest;
+    for (const FoundSolution& solution : all.solutions) {
+      const Range& range = (solution.*quantity)[i];
+      if (!range.lower || !range.upper) continue;
+      if (!least || *range.lower < *least) least = range.lower;
+      if (!largest || *range.upper > *largest) largest = range.upper;
+    }
+    const double apart = least ? enclose(Rational(*largest - *least)).upper : 0;
+    if (apart > most) most = apart, where = i;
+  }
+  if (most == 0) return "are the same";
+  return fmt::format("differ by up to {}{} at {}", at_most(most), unit.empty() ? "" : " " + unit,
+                     place_words(where / all.dimension, 0));
+}
+
+/// How many solutions there are, in which modes, and how they differ.
+std::string solutions_words(const AllSolutions& all, const ContactUnits& units) {
+  if (all.none()) return "The problem has no solution: every mode was tried.";
+  constexpr std::size_t shown = 8;
+  const std::size_t singles = all.singles(), families = all.families();
+  std::string text = singles > 0 ? counted(singles, "solution") : "";
+  if (families > 0) {
+    text += fmt::format("{}{} of solutions", singles > 0 ? " and " : "",
+                        families == 1 ? "1 continuum" : std::to_string(families) + " continua");
+  }
+  for (std::size_t i = 0; i < std::min(shown, all.solutions.size()); ++i) {
+    const FoundSolution& solution = all.solutions[i];
+    text += (i == 0 ? ": " : ", ") + modes_words(solution);
+    if (solution.is_family()) text += fmt::format(" along {}", counted(solution.open_directions, "direction"));
+  }
+  if (all.solutions.size() > shown) text += fmt::format(" and {} more", all.solutions.size() - shown);
+  text = "The problem has " + text + '.';
+  if (all.solutions.size() < 2) return text;
+  return text + fmt::format(" Their forces {}, their velocities {}.", apart_words(all, &FoundSolution::r, units.force),
+                            apart_words(all, &FoundSolution::u, units.velocity));
+}
+
+std::string own_mode_words(const OwnMode& own) {
+  return fmt::format(
+      "The answer {} the mode {}: {}.", own.claimed ? "claims" : "suggests", own.mode,
+      own.violated ? *own.violated + " is violated by " + at_most(enclose(Rational(-own.margin)).upper) : own.reason);
 }
 
 }  // namespace
+
+std::string place_words(const std::optional<std::size_t>& contact, std::size_t row) {
+  return contact ? fmt::format("contact {}", *contact + 1) : fmt::format("row {}", row + 1);
+}
+
+std::string numbers_words(const std::vector<std::size_t>& contacts, std::size_t most) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(contacts.size(), most); ++i) {
+    text += (i == 0 ? "" : ", ") + std::to_string(contacts[i] + 1);
+  }
+  return contacts.size() > most ? text + fmt::format(" and {} more", contacts.size() - most) : text;
+}
 
 std::string verdict_words(const ContactJudgement& j, const ContactUnits& units) {
   const auto in = [](double bound, const std::string& unit) {
@@ -123,6 +183,8 @@ std::vector<std::string> further_words(const ContactJudgement& j, const ContactU
     sentences.emplace_back(
         "No other solution was looked for among modes without sliding: there are too many for the effort.");
   }
+  if (j.own) sentences.push_back(own_mode_words(*j.own));
+  if (j.all) sentences.push_back(solutions_words(*j.all, units));
   for (const std::string& failure : j.left_out) sentences.push_back("Not found, " + failure + ".");
   if (j.undetermined == 1) {
     sentences.emplace_back("1 component of the forces is determined by nothing; it is held as it is.");

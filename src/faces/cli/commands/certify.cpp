@@ -37,8 +37,6 @@ struct CertifyArguments {
   std::vector<std::string> columns;
   CrewArguments crew;
   GateArguments gate;
-  std::optional<double> tolerance;
-  std::optional<Work> effort;
   std::uint64_t written = 0;  ///< records whose lines are on standard output
 };
 
@@ -163,17 +161,16 @@ int run_certify(CertifyArguments& options) {
       throw CLI::ValidationError("--every-q, --decimal exact", "found with a file of one problem, expected lines");
     }
     options.problem.file = options.file;
-    options.problem.tolerance = options.tolerance;
-    options.problem.effort = options.effort;
     return run_certify_problem(options.problem, options.gate, options.common);
   }
   if (options.crew.wanted() && options.gate.writes()) {
     throw CLI::ValidationError("--junit, --sarif", "found with --checkpoint or many ranks, expected without");
   }
-  if (options.tolerance) options.certify.judge.tolerance = options.certify.contact.tolerance = *options.tolerance;
-  options.certify.contact.within = options.problem.within;
-  options.certify.law = law_called(options.problem.law);
-  if (options.effort) options.certify.judge.effort = options.certify.contact.effort = *options.effort;
+  const ContactFileOptions problems = options.problem.judging();
+  options.certify.contact = problems.judge;
+  options.certify.law = problems.law;
+  if (options.problem.tolerance) options.certify.judge.tolerance = *options.problem.tolerance;
+  if (options.problem.effort) options.certify.judge.effort = *options.problem.effort;
   options.certify.format = format_of(options);
   options.certify.file = options.file;
   options.certify.decimal_exact = options.decimal == "exact";
@@ -248,7 +245,7 @@ void add_certify(CLI::App& app, int& exit_code) {
       ->excludes(scene);
   command
       .add_option(
-          "--tolerance", options->tolerance,
+          "--tolerance", options->problem.tolerance,
           "Largest relative error of a component, 1e-9;\nfor contact problems, relative to the largest force, 1e-6")
       ->check(number_in(0, 1));
   command.add_option("--decimal", options->decimal, "Value of a decimal: the nearest binary64, or exactly as written")
@@ -264,7 +261,7 @@ void add_certify(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command
       .add_option(
-          "--effort", options->effort,
+          "--effort", options->problem.effort,
           fmt::format("Limit of work for one record, in operations on words, {};\nfor a contact problem's file {}",
                       JudgeOptions().effort, ContactJudgeOptions().effort))
       ->check(whole_number(1));

@@ -12,7 +12,6 @@
 #include "contact/judge/certificate.hpp"
 #include "contact/judge/problem_name.hpp"
 #include "proofs/check_contact/files.hpp"
-#include "records/problems/contact_file.hpp"
 #include "records/problems/contact_record.hpp"
 #include "report/html/contact_report.hpp"
 #include "report/scenes/contact_words.hpp"
@@ -95,6 +94,16 @@ int check_certificate(const CertifyProblemArguments& options, const ProblemFile&
 
 }  // namespace
 
+ContactFileOptions CertifyProblemArguments::judging() const {
+  ContactFileOptions options;
+  if (tolerance) options.judge.tolerance = *tolerance;
+  if (effort) options.judge.effort = *effort;
+  options.judge.within = within;
+  options.judge.refine = refine;
+  options.law = law_called(law);
+  return options;
+}
+
 void add_problem_options(CLI::App& command, CertifyProblemArguments& options) {
   const auto group = command.add_option_group("Contact problems", "FCLIB HDF5, Siconos text, MatrixMarket, JSON");
   group->add_option("--answer", options.answer, "The solver's answer: text, NumPy, MatrixMarket, JSON, HDF5");
@@ -120,12 +129,7 @@ void add_problem_options(CLI::App& command, CertifyProblemArguments& options) {
 int run_certify_problem(const CertifyProblemArguments& options, const GateArguments& gate_options,
                         const CommonOptions& common) {
   expect_page_name("--report", options.report);
-  ContactFileOptions judge;
-  if (options.tolerance) judge.judge.tolerance = *options.tolerance;
-  if (options.effort) judge.judge.effort = *options.effort;
-  judge.judge.within = options.within;
-  judge.judge.refine = options.refine;
-  judge.law = law_called(options.law);
+  ContactFileOptions judge = options.judging();
   ReadProblem read = read_problem_file(options.file);
   if (!options.check_certificate.empty()) return check_certificate(options, read.problem, common);
   if (!options.answer.empty()) {

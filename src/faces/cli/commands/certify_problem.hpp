@@ -7,6 +7,7 @@
 #include "base/number/effort.hpp"
 #include "faces/cli/command.hpp"
 #include "faces/cli/commands/gate.hpp"
+#include "records/problems/contact_file.hpp"
 
 namespace slipproof::cli {
 
@@ -21,6 +22,8 @@ struct CertifyProblemArguments {
     return !answer.empty() || !certificate.empty() || !check_certificate.empty() || !report.empty() || refine;
   }
   bool any() const { return any_of_one() || within || !law.empty(); }
+  /// What the options say about every contact problem, in a file or in a line.
+  ContactFileOptions judging() const;
 };
 
 /// Adds these options to `certify`.

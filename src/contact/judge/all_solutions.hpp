@@ -1,0 +1,66 @@
+// All solutions of a contact problem, however they were found: exact ones of a small problem in the plane (small.hpp),
+// or boxes that hold those of a problem in space.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/output/json.hpp"
+#include "contact/judge/verdict.hpp"
+#include "mechanics/kernel/polyhedron.hpp"
+
+namespace slipproof {
+
+/// A solution, or a family of solutions of one mode.
+struct FoundSolution {
+  std::vector<std::string> modes;  ///< `slip+/lift`: all that give it
+  /// Forces and velocities of the contacts, without free unknowns, by contact and component. Where they are known
+  /// exactly, each range is a point. Of a family: one of its solutions, the nearest to the answer if one is given.
+  std::vector<Range> r, u;
+  std::size_t open_directions = 0;  ///< of a family: along how many directions there are others
+  bool strict = false;              ///< no condition of one of its modes holds with equality
+  bool exists = true;               ///< it is proved that a solution is within r and u
+  bool alone = true;                ///< and that no other is, but those of its family
+
+  bool is_family() const { return open_directions > 0; }
+};
+
+struct AllSolutions {
+  std::size_t dimension = 1;  ///< components of a contact in r and u
+  std::vector<FoundSolution> solutions;
+  std::vector<std::string> unexamined;  ///< where others may be
+
+  /// Whether it is proved that there is no other.
+  bool complete() const { return unexamined.empty(); }
+  bool none() const { return complete() && solutions.empty(); }
+  bool one() const;
+  std::size_t families() const;
+  /// Those of no family.
+  std::size_t singles() const { return solutions.size() - families(); }
+
+  /// The verdict on an answer that is, within the tolerance, this one of the solutions; null: it is near none.
+  ContactVerdict verdict(const FoundSolution* meant) const;
+};
+
+/// Of an answer that is near no solution, or whose mode alone was tried: the mode that it claims, or suggests, and why
+/// that has no solution near it.
+struct OwnMode {
+  std::string mode;
+  bool claimed = false;
+  std::optional<std::string> violated;  ///< the condition that all solutions of the mode's equations break
+  Rational margin = 0;                  ///< its left-hand side, negative
+  std::string reason;                   ///< where no condition is violated
+};
+
+/// Ranges that are points.
+std::vector<Range> points(const std::vector<Rational>& values);
+/// The points of ranges that are points.
+std::vector<Rational> values_of(const std::vector<Range>& points);
+
+/// The members `found`, and `continua`, if there are families.
+void add_solutions(const AllSolutions& all, Json& to);
+/// The members `claimed` or `looks_like`, `violated`, `margin` or `reason`.
+void add_own_mode(const OwnMode& own, Json& to);
+
+}  // namespace slipproof
