@@ -10,6 +10,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -33,15 +34,15 @@ struct CrewOptions {
   unsigned threads = 0;  ///< of this rank; 0: all its cores
 };
 
-/// One rank of a run. On rank 0 each() may be called as often as is wanted, from one thread; serve() on the others.
+/// One rank of a run. Where serve() returns false, each() may be called as often as is wanted, from one thread.
 class Crew {
  public:
   /// Throws as Journal does.
   Crew(CrewOptions options, Service service);
 
-  /// On the other ranks: answers their share of each list, until rank 0 is gone. Says nothing of what fails: rank 0
-  /// meets it again.
-  void serve();
+  /// On rank 0 false, at once. On the others true, when they have answered their share of each list and rank 0 is gone.
+  /// Says nothing of what fails: rank 0 meets it again.
+  bool serve();
 
   /// Whether this rank, or another of this run or of an earlier one, has answered the request.
   bool has(std::string_view request) const;
@@ -53,20 +54,20 @@ class Crew {
             const std::function<void(std::uint64_t, std::string)>& take);
 
  private:
-  class Stage;
   std::filesystem::path journal_of(int rank) const;
+  Journal& own() { return journals_.at(options_.rank); }
   void refresh();
   std::optional<std::string> find(std::string_view request) const;
-  void keep(std::string_view request, std::string_view result);
-  bool answer_list(std::string_view bytes);
-  void answer(Stage& stage, const std::vector<std::uint64_t>& which);
+  std::exception_ptr failure_of(std::string_view request) const;
+  void answer_one(std::string_view request);
+  void answer(const std::vector<std::string_view>& requests, const std::function<void()>& after_each);
 
   CrewOptions options_;
   Service service_;
-  Journal own_;
-  std::map<int, Journal> others_;  ///< by rank, also of earlier runs with more ranks
-  std::uint64_t lists_ = 0;        ///< handed out, or answered
-  mutable std::mutex mutex_;       ///< of the journals
+  std::map<int, Journal> journals_;                                  ///< by rank, also of earlier runs with more ranks
+  std::uint64_t lists_ = 0;                                          ///< handed out, or answered
+  std::map<std::string, std::exception_ptr, std::less<>> failures_;  ///< of the service, by request
+  mutable std::mutex mutex_;                                         ///< of journals and failures
   std::chrono::steady_clock::time_point flushed_ = std::chrono::steady_clock::now();
 };
 

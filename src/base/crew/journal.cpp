@@ -16,9 +16,9 @@ namespace slipproof {
 
 namespace {
 
-constexpr std::string_view journal_signature = "slipproof-journal 1\n";
+constexpr std::string_view journal_signature = "slipproof-journal 2\n";
 constexpr std::size_t digest_size = 64;
-constexpr std::size_t record_head = digest_size + 8 + digest_size + 8;  // digest, then a text, then a length
+constexpr std::size_t record_head = 2 * digest_size + 8;  // two digests, then a length
 
 /// The lock of an open file, which ends with the process and, unlike flock's, can be asked about.
 struct flock write_lock() {
@@ -104,20 +104,17 @@ bool Journal::check_head() const {
 }
 
 void Journal::read_results() {
-  struct stat found {};
-  if (::fstat(file_.number(), &found) != 0) throw OutputError(path_.string(), errno);
-  const auto size = static_cast<std::uint64_t>(found.st_size);
+  const auto size = static_cast<std::uint64_t>(::lseek(file_.number(), 0, SEEK_END));
   while (size >= end_ + record_head) {
     const std::string head = read_at(file_.number(), end_, record_head, path_);
-    if (head.size() < record_head) break;
-    const std::string digest = head.substr(0, digest_size);
-    if (ByteReader(std::string_view(head).substr(digest_size)).number() != digest_size) break;
-    std::string request = head.substr(digest_size + 8, digest_size);
-    const std::uint64_t length = ByteReader(std::string_view(head).substr(digest_size + 8 + digest_size)).number();
-    if (length > size - end_ - record_head) break;
-    if (record_digest(request, read_at(file_.number(), end_ + record_head, length, path_)) != digest) break;
-    places_.insert_or_assign(std::move(request), ResultPlace{end_ + record_head, length, digest});
-    end_ += record_head + length;
+    if (head.size() < record_head) return;
+    std::string digest = head.substr(0, digest_size), request = head.substr(digest_size, digest_size);
+    const std::uint64_t begin = end_ + record_head,
+                        length = ByteReader(std::string_view(head).substr(2 * digest_size)).number();
+    if (length > size - begin || record_digest(request, read_at(file_.number(), begin, length, path_)) != digest)
+      return;
+    places_.insert_or_assign(std::move(request), ResultPlace{begin, length, std::move(digest)});
+    end_ = begin + length;
   }
 }
 
@@ -139,7 +136,7 @@ std::optional<std::string> Journal::find(std::string_view request) const {
 void Journal::keep(std::string_view request, std::string_view result) {
   std::string key = sha256(request);
   std::string digest = record_digest(key, result);
-  const std::string record = digest + ByteWriter().text(key).text(result).take();
+  const std::string record = digest + key + ByteWriter().text(result).take();
   if (const int error = write_all(file_.number(), record)) throw OutputError(path_.string(), error);
   places_.insert_or_assign(std::move(key), ResultPlace{end_ + record_head, result.size(), std::move(digest)});
   end_ += record.size();

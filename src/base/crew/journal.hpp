@@ -17,7 +17,7 @@ namespace slipproof {
 /// written so far. If a killed program or a full disk leaves part of a result, its length or its digest shows this, and
 /// the part is cut off.
 ///
-/// Format: `slipproof-journal 1`, a newline, the text that describes the work; then for each result the digest
+/// Format: `slipproof-journal 2`, a newline, the text that describes the work; then for each result the digest
 /// (SHA-256, hexadecimal) of request and result, the request's digest, and the result. Each text follows its length.
 class Journal {
  public:

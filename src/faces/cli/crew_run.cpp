@@ -48,9 +48,9 @@ std::string digest_of(const std::filesystem::path& file) {
   return std::filesystem::is_regular_file(file, error) ? sha256(read_text_file(file)) : file.string();
 }
 
-CrewRun::CrewRun(const CrewArguments& arguments, unsigned threads, const std::function<std::string()>& work,
-                 const Inputs& inputs, Service service) {
-  if (!arguments.wanted()) return;
+std::unique_ptr<Crew> crew_of(const CrewArguments& arguments, unsigned threads,
+                              const std::function<std::string()>& work, const Inputs& inputs, Service service) {
+  if (!arguments.wanted()) return nullptr;
   const auto [rank, ranks] = launched();
   if (arguments.checkpoint.empty()) {
     throw CLI::ValidationError("--checkpoint", "found " + std::to_string(ranks) +
@@ -58,14 +58,8 @@ CrewRun::CrewRun(const CrewArguments& arguments, unsigned threads, const std::fu
                                                    "them, beside which they keep their results");
   }
   if (rank == 0) inputs.refuse(arguments.checkpoint);
-  crew_.emplace(CrewOptions{arguments.checkpoint, "slipproof " SLIPPROOF_VERSION "\n" + work(), rank, ranks, threads},
-                std::move(service));
-}
-
-bool CrewRun::served() {
-  if (!crew_ || launched().rank == 0) return false;
-  crew_->serve();
-  return true;
+  const CrewOptions options{arguments.checkpoint, "slipproof " SLIPPROOF_VERSION "\n" + work(), rank, ranks, threads};
+  return std::make_unique<Crew>(options, std::move(service));
 }
 
 }  // namespace slipproof::cli

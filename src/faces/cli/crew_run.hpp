@@ -2,7 +2,7 @@
 #pragma once
 
 #include <functional>
-#include <optional>
+#include <memory>
 #include <string>
 
 #include "base/crew/crew.hpp"
@@ -33,22 +33,10 @@ void add_crew_options(CLI::App& command, CrewArguments& arguments);
 /// A short digest of a file's content; if it is not a file, its name.
 std::string digest_of(const std::filesystem::path& file);
 
-/// The crew of a running command.
-class CrewRun {
- public:
-  /// `work` says what the results depend on, as for Journal. The checkpoint must not overwrite `inputs`. Throws as
-  /// Journal does, and CLI::ValidationError for many ranks without a checkpoint.
-  CrewRun(const CrewArguments& arguments, unsigned threads, const std::function<std::string()>& work,
-          const Inputs& inputs, Service service);
-
-  /// On a rank that only answers: answers until rank 0 has all results, then returns true. On rank 0 returns false at
-  /// once.
-  bool served();
-  /// Null if none is wanted.
-  Crew* crew() { return crew_ ? &*crew_ : nullptr; }
-
- private:
-  std::optional<Crew> crew_;
-};
+/// The crew of a running command; null if none is wanted. `work` says what the results depend on, as for Journal. The
+/// checkpoint must not overwrite `inputs`. Throws as Journal does, and CLI::ValidationError for many ranks without a
+/// checkpoint.
+std::unique_ptr<Crew> crew_of(const CrewArguments& arguments, unsigned threads,
+                              const std::function<std::string()>& work, const Inputs& inputs, Service service);
 
 }  // namespace slipproof::cli

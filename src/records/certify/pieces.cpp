@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "base/crew/bytes.hpp"
+#include "records/certify/judged.hpp"
 
 namespace slipproof {
 
@@ -16,33 +17,23 @@ static_assert(std::is_trivially_copyable_v<CertifySummary>);
 std::string judged_bytes(const Judged& judged) {
   ByteWriter bytes;
   bytes.text(judged.lines);
-  bytes.text({reinterpret_cast<const char*>(&judged.summary), sizeof judged.summary}).number(judged.broken ? 1 : 0);
-  if (const auto& d = judged.broken) bytes.text(d->file).number(d->line).number(d->column).text(d->message);
+  bytes.text({reinterpret_cast<const char*>(&judged.summary), sizeof judged.summary});
+  if (const auto& d = judged.broken) bytes.number(d->line).number(d->column).text(d->message);
   return bytes.take();
 }
 
-Judged read_judged(std::string_view text) {
+Judged read_judged(std::string_view text, const std::string& file) {
   ByteReader bytes(text);
   Judged judged;
   judged.lines = bytes.text();
   const std::string_view summary = bytes.text();
   if (summary.size() != sizeof judged.summary) throw BrokenBytes();
   std::memcpy(&judged.summary, summary.data(), summary.size());
-  if (bytes.number() != 0) {
-    Diagnostic& d = judged.broken.emplace();
-    d.file = bytes.text();
-    d.line = bytes.number();
-    d.column = bytes.number();
-    d.message = bytes.text();
-  }
+  if (bytes.rest().empty()) return judged;
+  const std::uint64_t line = bytes.number(), column = bytes.number();
+  judged.broken = {file, line, column, std::string(bytes.text())};
   bytes.end();
   return judged;
-}
-
-CertifyOptions without_listener(CertifyOptions options) {
-  options.judged = {};
-  options.threads = 1;
-  return options;
 }
 
 /// The bytes of a file, as many at once as are asked for, so that pieces are the same for everybody.
@@ -57,15 +48,14 @@ ByteSource whole_reads(const ByteFile& file) {
 
 }  // namespace
 
-RecordPieces::RecordPieces(const CertifyOptions& options) : options_(without_listener(options)), bytes_(options.file) {
-  ChunkReader chunks(whole_reads(bytes_), options.file);
+RecordPieces::RecordPieces(CertifyOptions options) : options_(std::move(options)), bytes_(options_.file) {
+  options_.judged = {};
+  options_.threads = 1;
+  ChunkReader chunks(whole_reads(bytes_), options_.file);
   judge_.emplace(options_, chunks);
   try {
-    Chunk chunk;
-    while (chunks.next(chunk)) {
-      ByteWriter request;
-      request.number(chunks.offset() - chunk.text.size()).number(chunk.text.size());
-      requests_.push_back(request.number(chunk.first_line).number(chunk.first_record).take());
+    for (Chunk chunk; chunks.next(chunk);) {
+      pieces_.push_back({chunks.offset() - chunk.text.size(), chunk.text.size(), chunk.first_line, chunk.first_record});
     }
   } catch (const InputError& error) {
     mistake_ = error;
@@ -79,18 +69,16 @@ std::string RecordPieces::input() const {
 }
 
 std::string RecordPieces::answer(std::string_view request) const {
-  ByteReader bytes(request);
-  const std::uint64_t offset = bytes.number(), size = bytes.number(), line = bytes.number(), record = bytes.number();
-  bytes.end();
-  return judged_bytes(judge_->judge({bytes_.read(offset, static_cast<std::size_t>(size)), line, record}));
+  const Piece& piece = pieces_.at(ByteReader(request).number());
+  return judged_bytes(judge_->judge({bytes_.read(piece.offset, piece.size), piece.first_line, piece.first_record}));
 }
 
 CertifySummary RecordPieces::certify(Crew& crew, const LineSink& output, const Progress& progress) const {
   CertifySummary summary;
   crew.each(
-      requests_.size(), [&](std::uint64_t i) { return requests_[i]; },
+      pieces_.size(), [](std::uint64_t i) { return ByteWriter().number(i).take(); },
       [&](std::uint64_t, const std::string& result) {
-        write_judged(read_judged(result), summary, options_, output, progress);
+        write_judged(read_judged(result, options_.file), summary, options_, output, progress);
       });
   if (mistake_) throw *mistake_;
   return summary;

@@ -18,7 +18,7 @@ namespace slipproof {
 class RecordPieces {
  public:
   /// Reads options.file, which is CSV or JSON Lines. Ignores options.judged. Throws InputError.
-  explicit RecordPieces(const CertifyOptions& options);
+  explicit RecordPieces(CertifyOptions options);
 
   /// What the results depend on apart from the options: the file's name, size and time of change.
   std::string input() const;
@@ -30,9 +30,15 @@ class RecordPieces {
   CertifySummary certify(Crew& crew, const LineSink& output, const Progress& progress = {}) const;
 
  private:
+  struct Piece {
+    std::uint64_t offset = 0;
+    std::size_t size = 0;
+    std::uint64_t first_line = 0, first_record = 0;
+  };
+
   CertifyOptions options_;
   ByteFile bytes_;
-  std::vector<std::string> requests_;
+  std::vector<Piece> pieces_;          ///< a request is the number of one
   std::optional<InputError> mistake_;  ///< what is wrong after the last piece
   std::optional<ChunkJudge> judge_;
 };

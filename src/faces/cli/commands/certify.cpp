@@ -136,11 +136,11 @@ Exit certified_exit(const CertifySummary& summary) {
 std::optional<CertifySummary> certify_shared(const CertifyArguments& options, const LineSink& sink,
                                              const Progress& progress) {
   const RecordPieces pieces(options.certify);
-  CrewRun run(
+  const auto crew = crew_of(
       options.crew, options.common.threads, [&] { return certified_work(options, pieces); },
       Inputs{options.file, options.scene}, [&](std::string_view request) { return pieces.answer(request); });
-  if (run.served()) return std::nullopt;
-  return pieces.certify(*run.crew(), sink, progress);
+  if (crew->serve()) return std::nullopt;
+  return pieces.certify(*crew, sink, progress);
 }
 
 /// Refuses other input than a file of lines, since a crew can share out nothing else.

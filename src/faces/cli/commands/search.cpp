@@ -46,11 +46,11 @@ Exit run_search(SearchArguments& arguments) {
   print_warnings(mechanism, arguments.common);
   if (arguments.narrows) mechanism = narrowed(mechanism, arguments.within, "--within");
   MotionSearch search(mechanism, options);
-  CrewRun run(
+  const auto crew = crew_of(
       arguments.crew, options.threads, [&] { return searched_work(arguments, mechanism); }, Inputs{mechanism.file},
       [&](std::string_view request) { return search.answer(request); });
-  if (run.served()) return success;
-  const SearchReport report = searched(mechanism, options, arguments.within, search, run.crew());
+  if (crew && crew->serve()) return success;
+  const SearchReport report = searched(mechanism, options, arguments.within, search, crew.get());
   print_report(
       arguments.common, [&] { return search_json(report); }, [&] { return search_document(report); });
   switch (verdict(report)) {

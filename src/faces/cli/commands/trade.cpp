@@ -28,14 +28,14 @@ int run_trade(TradeArguments& options) {
     options.trade.scenes = 25;
     options.trade.seconds = 0.002;
   }
-  CrewRun run(
+  const auto crew = crew_of(
       options.crew, options.common.threads,
       [&] { return fmt::format("trade scenes {} seed {}\n", options.trade.scenes, options.trade.seed); }, {},
       [&](std::string_view request) { return trade_answer(options.trade, request); });
-  if (run.served()) return success;
+  if (crew && crew->serve()) return success;
   ProgressLine line(!options.common.quiet);
   const auto progress = [&](std::size_t done, std::size_t all) { line.at(done, all); };
-  const Trade trade = measure_trade(options.trade, progress, run.crew());
+  const Trade trade = measure_trade(options.trade, progress, crew.get());
   print_report(
       options.common, [&] { return trade_json(trade); }, [&] { return trade_document(trade); });
   return trade.sound() ? success : refuted_or_not_certified;

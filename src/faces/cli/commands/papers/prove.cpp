@@ -182,11 +182,11 @@ Exit run_prove(ProveArguments& options) {
   const auto work = [&] {
     return fmt::format("prove effort {} again {}\n", options.prove.limits.steps, options.prove.again);
   };
-  CrewRun crew(options.crew, options.common.threads, work,
-               Inputs(std::vector<std::filesystem::path>(options.inputs.begin(), options.inputs.end())),
-               [&](std::string_view request) { return answer_statement(request, options.prove); });
-  if (crew.served()) return success;
-  options.prove.crew = crew.crew();
+  const auto crew = crew_of(options.crew, options.common.threads, work,
+                            Inputs(std::vector<std::filesystem::path>(options.inputs.begin(), options.inputs.end())),
+                            [&](std::string_view request) { return answer_statement(request, options.prove); });
+  if (crew && crew->serve()) return success;
+  options.prove.crew = crew.get();
   const std::filesystem::path first = options.inputs.empty() ? "" : options.inputs.front();
   std::error_code error;
   const bool own = options.inputs.size() > 1 || first.extension() == ".statement" || is_theorem_file(first) ||

@@ -41,7 +41,7 @@ VerifyRun::VerifyRun(std::vector<Paper> papers, const JudgeArguments& arguments)
     paper.options.progress = progress_bar(!arguments.common.quiet);
     inputs.add(paper.path);
   }
-  crew_.emplace(
+  crew_ = crew_of(
       arguments.crew, arguments.common.threads, [&] { return verified_work(papers_); }, inputs,
       [this](std::string_view request) { return verification(Verification::paper_of(request)).answer(request); });
 }
@@ -55,7 +55,7 @@ Verification& VerifyRun::verification(std::size_t paper) {
 }
 
 VerifyResult VerifyRun::result(std::size_t paper) {
-  VerifyResult result = verification(paper).result(crew_->crew());
+  VerifyResult result = verification(paper).result(crew_.get());
   for (const ClaimResult& claim : result.claims) {
     for (const std::string& objection : claim.rejections) std::cerr << "certificate rejected: " << objection << '\n';
   }

@@ -44,7 +44,7 @@ class VerifyRun {
 
   VerifyRun(std::vector<Paper> papers, const JudgeArguments& arguments);
 
-  bool served() { return crew_->served(); }  ///< as in CrewRun
+  bool served() { return crew_ && crew_->serve(); }  ///< as Crew::serve(); false without a crew
   /// The result for a paper; call once for each.
   VerifyResult result(std::size_t paper);
 
@@ -57,7 +57,7 @@ class VerifyRun {
 
   std::vector<Paper> papers_;
   std::vector<Work> works_;  ///< each is made at its first use
-  std::optional<CrewRun> crew_;
+  std::unique_ptr<Crew> crew_;
 };
 
 Exit exit_of(Summary summary);
