@@ -65,6 +65,4 @@ struct ReadProblem {
   std::vector<SolverAnswer> answers;  ///< those in the problem's own file: its solution first, then guesses
 };
 
-enum class ProblemFormat : std::uint8_t { fclib, siconos, matrix_market, json };
-
 }  // namespace slipproof

@@ -20,15 +20,6 @@ namespace slipproof {
 
 namespace {
 
-/// Nothing where no format begins so.
-std::optional<ProblemFormat> format_of(std::string_view bytes) {
-  if (bytes.starts_with(hdf5_signature)) return ProblemFormat::fclib;
-  if (bytes.starts_with('%')) return ProblemFormat::matrix_market;  // its banner, or what was meant to be it
-  if (WordReader(bytes).rest().starts_with('{')) return ProblemFormat::json;
-  if (begins_as_siconos(bytes)) return ProblemFormat::siconos;
-  return std::nullopt;
-}
-
 struct PartName {
   std::string_view name;
   std::vector<double> SolverAnswer::*part;
@@ -72,7 +63,7 @@ SolverAnswer answer_of(const std::vector<NamedNumbers>& named, const std::string
   return answer;
 }
 
-SolverAnswer json_answer(std::string_view text, const std::string& file, const AnswerSizes& sizes) {
+SolverAnswer json_answer(const std::string& text, const std::string& file, const AnswerSizes& sizes) {
   const JsonProblem json(text, file);
   std::vector<NamedNumbers> lists;
   for (const std::string_view key : json.keys()) {
@@ -103,13 +94,53 @@ std::vector<double> plain_numbers(std::string_view text, const std::string& file
   return result;
 }
 
-/// Of what does not even begin like a text of Siconos; returns of what begins with a digit, for its grammars to refuse.
-void refuse_unknown(std::string_view bytes, const std::string& file) {
-  const std::string expected =
-      "a contact problem in HDF5, MatrixMarket, JSON, or text of Siconos, which begins with counts";
+SolverAnswer market_answer(const std::string& bytes, const std::string& file, const AnswerSizes& sizes) {
+  return answer_of({{"r", read_market_vector(bytes, file, sizes.r)}}, file);
+}
+
+SolverAnswer plain_answer(const std::string& bytes, const std::string& file, const AnswerSizes& sizes) {
+  return answer_of({{"r", plain_numbers(bytes, file, sizes.r)}}, file);
+}
+
+/// A format of files with a contact problem, or with an answer alone.
+struct FileFormat {
+  std::string_view name;
+  bool (*begins)(std::string_view bytes);
+  ReadProblem (*read)(const std::string& bytes, const std::string& file);
+  SolverAnswer (*read_answer)(const std::string& bytes, const std::string& file, const AnswerSizes& sizes);
+};
+
+bool begins_as_json(std::string_view bytes) {
+  return WordReader(bytes).rest().starts_with('{');
+}
+
+constexpr std::array<FileFormat, 4> file_formats{{
+    {"FCLIB HDF5", [](std::string_view bytes) { return bytes.starts_with(hdf5_signature); }, read_fclib,
+     read_fclib_answer},
+    {"Siconos text", begins_as_siconos,
+     [](const std::string& bytes, const std::string& file) {
+       return ReadProblem{read_siconos(bytes, file), {}};
+     },
+     plain_answer},
+    {"MatrixMarket", [](std::string_view bytes) { return bytes.starts_with('%'); },  // its banner, or meant to be it
+     [](const std::string& bytes, const std::string& file) { return read_matrix_market(bytes, file); }, market_answer},
+    {"JSON", begins_as_json,
+     [](const std::string& bytes, const std::string& file) { return read_json_problem(bytes, file); }, json_answer},
+}};
+
+/// Null where no format begins so.
+const FileFormat* format_of(std::string_view bytes) {
+  const auto* const at = std::ranges::find_if(file_formats, [&](const FileFormat& f) { return f.begins(bytes); });
+  return at == file_formats.end() ? nullptr : at;
+}
+
+/// Refuses what begins like no format. What begins with a digit is meant as a text of Siconos, whose grammars refuse
+/// it.
+ReadProblem read_unknown(std::string_view bytes, const std::string& file) {
+  const std::string expected = "a contact problem: " + problem_formats();
   WordReader words(bytes);
   std::string_view word = words.peek();
-  if (!word.empty() && word[0] >= '0' && word[0] <= '9') return;
+  if (!word.empty() && word[0] >= '0' && word[0] <= '9') return {read_siconos(bytes, file), {}};
   for (; !word.empty(); word.remove_prefix(utf8_length(word))) {
     const bool is_text = utf8_length(word) > 0 && word[0] != '\0';
     if (!is_text) refuse(file, "found bytes that are not text, expected " + expected);
@@ -129,13 +160,8 @@ SolverAnswer answer_in(const std::string& bytes, const std::string& file, const 
         "makes one: numpy.save(\"r.npy\", numpy.load(\"a.npz\")[\"r\"])");
   }
   if (bytes.starts_with(npy_signature)) return answer_of({{"r", read_npy(bytes, file, sizes.r)}}, file);
-  const std::optional<ProblemFormat> format = format_of(bytes);
-  if (format == ProblemFormat::fclib) return read_fclib_answer(bytes, file, sizes);
-  if (format == ProblemFormat::json) return json_answer(bytes, file, sizes);
-  if (format == ProblemFormat::matrix_market) {
-    return answer_of({{"r", read_market_vector(bytes, file, sizes.r)}}, file);
-  }
-  return answer_of({{"r", plain_numbers(bytes, file, sizes.r)}}, file);
+  const FileFormat* format = format_of(bytes);
+  return (format == nullptr ? plain_answer : format->read_answer)(bytes, file, sizes);
 }
 
 /// Whether the object in a file is a problem for this reader: a large one, or one on several lines. What is no JSON but
@@ -168,25 +194,16 @@ ReadProblem checked(ReadProblem read, const std::string& path) {
 
 }  // namespace
 
+std::string problem_formats() {
+  std::string text;
+  for (const FileFormat& format : file_formats) text += (text.empty() ? "" : ", ") + std::string(format.name);
+  return text;
+}
+
 ReadProblem read_problem_file(const std::string& path) {
   const std::string bytes = read_text_file(path, max_problem_file_size);
-  ReadProblem result;
-  switch (const auto format = format_of(bytes); format.value_or(ProblemFormat::siconos)) {
-    case ProblemFormat::fclib:
-      result = read_fclib(bytes, path);
-      break;
-    case ProblemFormat::matrix_market:
-      result = read_matrix_market(bytes, path);
-      break;
-    case ProblemFormat::json:
-      result = read_json_problem(bytes, path);
-      break;
-    case ProblemFormat::siconos:
-      if (!format) refuse_unknown(bytes, path);
-      result.problem = read_siconos(bytes, path);
-      break;
-  }
-  return checked(std::move(result), path);
+  const FileFormat* format = format_of(bytes);
+  return checked(format == nullptr ? read_unknown(bytes, path) : format->read(bytes, path), path);
 }
 
 ReadProblem read_problem_line(const JsonProblem& json) {
@@ -219,9 +236,8 @@ bool is_problem_file(const std::string& path) {
   std::string start(4096, '\0');
   file.read(start.data(), static_cast<std::streamsize>(start.size()));
   start.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
-  const std::optional<ProblemFormat> format = format_of(start);
-  if (format != ProblemFormat::json) return format.has_value();
-  return !is_json_lines(path) && is_problem_object(path);
+  if (begins_as_json(start)) return !is_json_lines(path) && is_problem_object(path);
+  return format_of(start) != nullptr;
 }
 
 }  // namespace slipproof

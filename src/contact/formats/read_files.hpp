@@ -8,6 +8,9 @@
 
 namespace slipproof {
 
+/// The formats of problem files, each with its kind of bytes: `FCLIB HDF5, Siconos text, ...`.
+std::string problem_formats();
+
 /// Reads the problem in a file; its content determines the format (FORMATS.md). Checks it (`check_problem`) and
 /// collects all remarks. Throws InputError. Linear in the file, except for sorting matrices.
 ReadProblem read_problem_file(const std::string& path);

@@ -128,7 +128,9 @@ TEST_CASE("decimals are the nearest binary64, also beyond its range below") {
 TEST_CASE("malformed texts of Siconos are refused at their place") {
   check_refusals(
       {
-          {"", "FILE:1:1: found the end of the file, expected a contact problem in HDF5, MatrixMarket, JSON, or text"},
+          {"",
+           "FILE:1:1: found the end of the file, expected a contact problem: FCLIB HDF5, Siconos text, MatrixMarket, "
+           "JSON"},
           {" \n\n", "FILE:3:1: found the end of the file"},
           {"x y z", "FILE:1:1: found 'x', expected a contact problem"},
           {"2",

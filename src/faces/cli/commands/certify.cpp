@@ -234,9 +234,8 @@ void add_certify(CLI::App& app, int& exit_code) {
       "certify", "Certify outputs of floating-point solvers, for scenes or contact problems:\na line of JSON for each");
   command
       .add_option("FILE", options->file,
-                  "CSV with a header, JSON Lines (- for standard input), NumPy's .npy;\nor a contact problem's file: "
-                  "FCLIB HDF5, "
-                  "Siconos text, MatrixMarket, JSON")
+                  "CSV with a header, JSON Lines (- for standard input), NumPy's .npy;\nor a contact problem's file: " +
+                      problem_formats())
       ->required();
   auto* scene = command.add_option("--scene", options->scene,
                                    "Scene file, of a bicycle or a mechanism, with the values that all records share");

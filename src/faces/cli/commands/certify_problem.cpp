@@ -105,7 +105,7 @@ ContactFileOptions CertifyProblemArguments::judging() const {
 }
 
 void add_problem_options(CLI::App& command, CertifyProblemArguments& options) {
-  const auto group = command.add_option_group("Contact problems", "FCLIB HDF5, Siconos text, MatrixMarket, JSON");
+  const auto group = command.add_option_group("Contact problems", problem_formats());
   group->add_option("--answer", options.answer, "The solver's answer: text, NumPy, MatrixMarket, JSON, HDF5");
   group
       ->add_option("--refine", options.refined,
