@@ -74,8 +74,9 @@ Residual residual(const MixedProblem& problem, std::span<const double> x, std::s
   for (std::size_t k = 0; k < problem.contacts(); ++k) {
     stop_if_asked();
     const std::size_t first = problem.normal(k);
+    const std::size_t own = bounds_of_contact(law.kind, d);
     const std::span<const double> bounds =
-        law.bounds.empty() ? law.bounds : std::span(law.bounds).subspan((d - 1) * k, d - 1);
+        law.bounds.empty() ? law.bounds : std::span(law.bounds).subspan(own * k, own);
     result.contacts.push_back(
         fit_contact(law, {problem.mu[k], scales[k], x.subspan(first, d), w.subspan(first, d), bounds}));
     const FittedContact& c = result.contacts.back();

@@ -34,23 +34,32 @@ struct ContactLaw {
   Regularisation function = Regularisation::linear;
 };
 
-/// What a law is called: by options, files and certificates, and in sentences.
-struct LawNames {
+/// What a law is called: by options, files and certificates, and in sentences. And whether it has bounds.
+struct LawFacts {
   std::string_view word, name;
+  bool bounded = false;
 };
-inline constexpr std::array<LawNames, 6> law_names{{{"cone", "friction cone"},
+inline constexpr std::array<LawFacts, 6> law_facts{{{"cone", "friction cone"},
                                                     {"box", "box pyramid |t1| <= mu n, |t2| <= mu n"},
                                                     {"diamond", "diamond pyramid |t1| + |t2| <= mu n"},
-                                                    {"fixed", "law of fixed bounds"},
+                                                    {"fixed", "law of fixed bounds", true},
                                                     {"associated", "associated law"},
                                                     {"regularised", "regularised law"}}};
 inline constexpr std::array<std::string_view, 2> regularisation_words{"linear", "soft"};
 
 constexpr std::string_view name(FrictionLaw law) {
-  return law_names[static_cast<std::size_t>(law)].name;
+  return law_facts[static_cast<std::size_t>(law)].name;
 }
 constexpr std::string_view word(FrictionLaw law) {
-  return law_names[static_cast<std::size_t>(law)].word;
+  return law_facts[static_cast<std::size_t>(law)].word;
+}
+/// Whether friction has bounds that do not depend on mu and r_N (ContactLaw::bounds).
+constexpr bool is_bounded(FrictionLaw law) {
+  return law_facts[static_cast<std::size_t>(law)].bounded;
+}
+/// How many such bounds a contact has.
+constexpr std::size_t bounds_of_contact(FrictionLaw, std::size_t dimension) {
+  return dimension - 1;
 }
 constexpr std::string_view word(Regularisation function) {
   return regularisation_words[static_cast<std::size_t>(function)];
@@ -59,15 +68,15 @@ constexpr std::string_view word(Regularisation function) {
 /// All words by which laws are known: `coulomb` is `cone`, too.
 inline std::vector<std::string> law_words() {
   std::vector<std::string> words{"coulomb"};
-  for (const LawNames& law : law_names) words.emplace_back(law.word);
+  for (const LawFacts& law : law_facts) words.emplace_back(law.word);
   return words;
 }
 
 inline std::optional<FrictionLaw> law_called(std::string_view word) {
   if (word == "coulomb") return FrictionLaw::cone;
-  const auto found = std::ranges::find(law_names, word, &LawNames::word);
-  if (found == law_names.end()) return std::nullopt;
-  return static_cast<FrictionLaw>(found - law_names.begin());
+  const auto found = std::ranges::find(law_facts, word, &LawFacts::word);
+  if (found == law_facts.end()) return std::nullopt;
+  return static_cast<FrictionLaw>(found - law_facts.begin());
 }
 
 inline std::optional<Regularisation> regularisation_called(std::string_view word) {

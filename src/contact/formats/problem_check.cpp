@@ -116,9 +116,10 @@ void check_law(const ProblemFile& p, ProblemCheck& check) {
     check.size("bias", p.bias, components);
     check.finite("bias", p.bias);
   }
-  const bool fixed = p.law.kind == FrictionLaw::fixed, regularised = p.law.kind == FrictionLaw::regularised;
-  if (fixed || !p.law.bounds.empty()) {
-    check.magnitudes("bounds", p.law.bounds, components - p.contacts(), "a bound of a tangential component");
+  const bool regularised = p.law.kind == FrictionLaw::regularised;
+  if (is_bounded(p.law.kind) || !p.law.bounds.empty()) {
+    const std::size_t bounds = p.contacts() * bounds_of_contact(p.law.kind, p.dimension);
+    check.magnitudes("bounds", p.law.bounds, bounds, "a bound of a tangential component");
   }
   if ((regularised || p.law.slip_speed != 0) && !(p.law.slip_speed > 0 && std::isfinite(p.law.slip_speed))) {
     const std::string found = p.law.slip_speed == 0 ? "nothing or 0" : short_number(p.law.slip_speed);

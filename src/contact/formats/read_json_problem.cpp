@@ -102,10 +102,10 @@ class RoundedProblem {
       p.law.function = *kind;
     }
     if (const JsonNode* speed = json_.find("slip_speed")) p.law.slip_speed = number(*speed, "slip_speed");
-    refuse_of_other("bounds", FrictionLaw::fixed);
+    if (!is_bounded(p.law.kind)) refuse_of_other("bounds", FrictionLaw::fixed);
     refuse_of_other("slip_speed", FrictionLaw::regularised);
     refuse_of_other("function", FrictionLaw::regularised);
-    p.law.bounds = each("bounds", p.components() - p.contacts());
+    p.law.bounds = each("bounds", p.contacts() * bounds_of_contact(p.law.kind, p.dimension));
     p.compliance = each("compliance", p.components());
     p.bias = each("bias", p.components());
   }

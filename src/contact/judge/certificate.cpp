@@ -167,9 +167,8 @@ class CertificateWriter {
     if (problem_.is_coulomb()) return;
     const ContactLaw& law = problem_.law;
     add("law {}", word(law.kind));
-    if (law.kind == FrictionLaw::fixed) vector("", law.bounds);
     if (law.kind == FrictionLaw::regularised) add(" {} {:a}", word(law.function), law.slip_speed);
-    if (law.kind != FrictionLaw::fixed) text_ += '\n';
+    vector("", is_bounded(law.kind) ? law.bounds : std::vector<double>());
   }
 
   void write_eps(const ContactJudgement& judgement) {

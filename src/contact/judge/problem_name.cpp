@@ -34,7 +34,7 @@ std::string canonical_form(const MixedProblem& problem) {
   if (law.kind == FrictionLaw::regularised) {
     text += fmt::format(" {} {}", word(law.function), to_rational(law.slip_speed).str());
   }
-  vector("", law.kind == FrictionLaw::fixed ? law.bounds : std::vector<double>());
+  vector("", is_bounded(law.kind) ? law.bounds : std::vector<double>());
   return text;
 }
 

@@ -230,7 +230,7 @@ void add_disc_table(const Element& parent, const ConeDisc& disc, const JudgedPro
 }
 
 void add_cone_figure(const Element& parent, const ConeDisc& disc, const JudgedProblem& problem, std::size_t answer) {
-  if (disc.points.empty() || problem.mixed.law.kind == FrictionLaw::fixed) return;  // no bound is mu r_N
+  if (disc.points.empty() || is_bounded(problem.mixed.law.kind)) return;  // no bound is mu r_N
   const Element figure = parent.add("figure", "phase small cones");
   figure.add("h3").text("Contacts in their friction cones");
   add_cone_disc(figure.add("div", "plot"), disc, id_of(answer) + "-cones");
