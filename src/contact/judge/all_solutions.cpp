@@ -2,23 +2,7 @@
 
 #include <algorithm>
 
-#include "base/number/format.hpp"
-
 namespace slipproof {
-
-namespace {
-
-/// `"3/4"`, or `["1/2", "1"]` of a range that is no point; null for an end that is infinite.
-Json ranges_json(const std::vector<Range>& ranges) {
-  const auto end = [](const std::optional<Rational>& x) { return x ? Json(exact_text(*x)) : Json(); };
-  Json list = Json::array();
-  for (const Range& range : ranges) {
-    list.push_back(range.is_point() ? end(range.lower) : Json::array({end(range.lower), end(range.upper)}));
-  }
-  return list;
-}
-
-}  // namespace
 
 bool AllSolutions::one() const {
   return complete() && solutions.size() == 1 && !solutions[0].is_family() && solutions[0].exists && solutions[0].alone;
@@ -47,32 +31,6 @@ std::vector<Rational> values_of(const std::vector<Range>& points) {
   std::vector<Rational> result;
   for (const Range& point : points) result.push_back(point.lower.value());
   return result;
-}
-
-void add_solutions(const AllSolutions& all, Json& to) {
-  to["found"] = Json::array();
-  for (const FoundSolution& s : all.solutions) {
-    if (s.is_family()) continue;
-    to["found"].push_back({{"modes", s.modes},
-                           {"status", s.strict ? "strict" : "boundary"},
-                           {"z", ranges_json(s.r)},
-                           {"w", ranges_json(s.u)}});
-  }
-  for (const FoundSolution& s : all.solutions) {
-    if (!s.is_family()) continue;
-    to["continua"].push_back(
-        {{"mode", s.modes.front()}, {"parameters", s.open_directions}, {"nearest_z", ranges_json(s.r)}});
-  }
-}
-
-void add_own_mode(const OwnMode& own, Json& to) {
-  to[own.claimed ? "claimed" : "looks_like"] = own.mode;
-  to["violated"] = own.violated ? Json(*own.violated) : Json();
-  if (own.violated) {
-    to["margin"] = exact_text(own.margin);
-  } else {
-    to["reason"] = own.reason;
-  }
 }
 
 }  // namespace slipproof

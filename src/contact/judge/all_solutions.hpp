@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/output/json.hpp"
+#include "base/number/rational.hpp"
 #include "contact/judge/verdict.hpp"
 #include "mechanics/kernel/polyhedron.hpp"
 
@@ -57,10 +57,5 @@ struct OwnMode {
 std::vector<Range> points(const std::vector<Rational>& values);
 /// The points of ranges that are points.
 std::vector<Rational> values_of(const std::vector<Range>& points);
-
-/// The members `found`, and `continua`, if there are families.
-void add_solutions(const AllSolutions& all, Json& to);
-/// The members `claimed` or `looks_like`, `violated`, `margin` or `reason`.
-void add_own_mode(const OwnMode& own, Json& to);
 
 }  // namespace slipproof

@@ -12,6 +12,7 @@
 #include "contact/enclosure/answer.hpp"
 #include "contact/exact/exact_lcp.hpp"
 #include "contact/formats/problem_check.hpp"
+#include "contact/judge/all_solutions_json.hpp"
 #include "contact/judge/find.hpp"
 
 namespace slipproof {

@@ -3,6 +3,7 @@
 #include "base/number/binary64.hpp"
 #include "base/number/format.hpp"
 #include "base/output/json.hpp"
+#include "contact/judge/all_solutions_json.hpp"
 #include "contact/problem/every_load_json.hpp"
 
 namespace slipproof {

@@ -71,7 +71,7 @@ std::string apart_words(const AllSolutions& all, std::vector<Range> FoundSolutio
 
 /// How many solutions there are, in which modes, and how they differ.
 std::string solutions_words(const AllSolutions& all, const ContactUnits& units) {
-  if (all.none()) return "The problem has no solution: every mode was tried.";
+  if (all.none()) return "Every mode was tried: none has a solution.";
   constexpr std::size_t shown = 8;
   const std::size_t singles = all.singles(), families = all.families();
   std::string text = singles > 0 ? counted(singles, "solution") : "";
@@ -87,8 +87,10 @@ std::string solutions_words(const AllSolutions& all, const ContactUnits& units) 
   if (all.solutions.size() > shown) text += fmt::format(" and {} more", all.solutions.size() - shown);
   text = "The problem has " + text + '.';
   if (all.solutions.size() < 2) return text;
-  return text + fmt::format(" Their forces {}, their velocities {}.", apart_words(all, &FoundSolution::r, units.force),
-                            apart_words(all, &FoundSolution::u, units.velocity));
+  const std::string members = families > 0 ? " (of a continuum the one nearest to the answer)" : "";
+  return text + fmt::format(" Their forces {}, their velocities {}{}.",
+                            apart_words(all, &FoundSolution::r, units.force),
+                            apart_words(all, &FoundSolution::u, units.velocity), members);
 }
 
 std::string own_mode_words(const OwnMode& own) {

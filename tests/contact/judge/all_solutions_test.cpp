@@ -1,10 +1,9 @@
 // The verdict on an answer from what is known of all solutions: exact ones, boxes, families.
-#include "contact/judge/all_solutions.hpp"
-
 #include <doctest/doctest.h>
 
+#include "contact/judge/all_solutions_json.hpp"
+
 using namespace slipproof;
-using enum ContactVerdict;
 
 namespace {
 
@@ -21,27 +20,27 @@ FoundSolution solution(const Rational& lower, const Rational& upper) {
 TEST_CASE("the verdict on an answer follows from all solutions, and is undecided while others may be somewhere") {
   AllSolutions all;
   all.dimension = 2;
-  CHECK(all.verdict(nullptr) == no_solution);
+  CHECK(all.verdict(nullptr) == ContactVerdict::no_solution);
   all.solutions = {solution(1, 2)};
   CHECK(all.one());
-  CHECK(all.verdict(all.solutions.data()) == unique);
-  CHECK(all.verdict(nullptr) == wrong);
+  CHECK(all.verdict(all.solutions.data()) == ContactVerdict::unique);
+  CHECK(all.verdict(nullptr) == ContactVerdict::wrong);
   all.unexamined = {"stick/slip from 0 to 90 degrees"};
-  CHECK(all.verdict(all.solutions.data()) == solution_within_rho);
-  CHECK(all.verdict(nullptr) == undecided);
+  CHECK(all.verdict(all.solutions.data()) == ContactVerdict::solution_within_rho);
+  CHECK(all.verdict(nullptr) == ContactVerdict::undecided);
   all.solutions.push_back(solution(3, 4));
-  CHECK(all.verdict(all.solutions.data()) == ambiguous);
+  CHECK(all.verdict(all.solutions.data()) == ContactVerdict::ambiguous);
   all.solutions[1].exists = false;
-  CHECK(all.verdict(all.solutions.data()) == solution_within_rho);
-  CHECK(all.verdict(&all.solutions[1]) == undecided);
+  CHECK(all.verdict(all.solutions.data()) == ContactVerdict::solution_within_rho);
+  CHECK(all.verdict(&all.solutions[1]) == ContactVerdict::undecided);
   all.unexamined.clear();
   all.solutions.pop_back();
   all.solutions[0].alone = false;
-  CHECK(all.verdict(all.solutions.data()) == solution_within_rho);
+  CHECK(all.verdict(all.solutions.data()) == ContactVerdict::solution_within_rho);
   all.solutions[0] = solution(1, 1);
   all.solutions[0].open_directions = 1;
   CHECK(all.singles() == 0);
-  CHECK(all.verdict(all.solutions.data()) == ambiguous);
+  CHECK(all.verdict(all.solutions.data()) == ContactVerdict::ambiguous);
 }
 
 TEST_CASE("a number that is known is a text, one between bounds a pair, and an infinite bound is null") {
