@@ -16,10 +16,6 @@ bool is_true(FilteredEvaluator& evaluator, const Program& program) {
   return evaluator.truth(program) == Truth::yes;
 }
 
-bool allows_all(FilteredEvaluator& evaluator, const std::vector<Program>& domains) {
-  return std::all_of(domains.begin(), domains.end(), [&](const Program& domain) { return is_true(evaluator, domain); });
-}
-
 std::vector<std::size_t> unmet_by(FilteredEvaluator& evaluator, const std::vector<Program>& conditions) {
   std::vector<std::size_t> unmet;
   for (std::size_t i = 0; i < conditions.size(); ++i) {
@@ -219,16 +215,6 @@ Rational placed(const std::vector<Rational>& boundaries, Dice& dice, Kind kind) 
 }
 
 }  // namespace
-
-bool allows(const CompiledSetting& setting, std::size_t parameter, const std::vector<Rational>& values) {
-  FilteredEvaluator evaluator = evaluator_at(setting, values);
-  return is_true(evaluator, setting.domains()[parameter]);
-}
-
-bool in_domain(const CompiledSetting& setting, const std::vector<Rational>& values) {
-  FilteredEvaluator evaluator = evaluator_at(setting, values);
-  return allows_all(evaluator, setting.domains());
-}
 
 std::vector<std::size_t> unrealisable(const CompiledSetting& setting, const std::vector<Rational>& values) {
   FilteredEvaluator evaluator = evaluator_at(setting, values);

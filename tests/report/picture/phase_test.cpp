@@ -10,7 +10,7 @@
 #include "base/number/binary64.hpp"
 #include "claims/planes/claims_plane.hpp"
 #include "claims/reading/read_claims_file.hpp"
-#include "claims/sampling/solved_sample.hpp"
+#include "mechanics/family/solved_sample.hpp"
 #include "mechanics/planes/mechanism_plane.hpp"
 #include "report/phase/axis.hpp"
 #include "report/phase/phase_points.hpp"

@@ -1,13 +1,12 @@
-#include "claims/uniqueness/motion_changes.hpp"
+#include "mechanics/lines/motion_changes.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
 
-#include "claims/lines/critical.hpp"
-#include "claims/uniqueness/scene_setting.hpp"
 #include "mechanics/kernel/motions.hpp"
 #include "mechanics/kernel/motions_over_loads.hpp"
+#include "mechanics/lines/scene_line.hpp"
 
 namespace slipproof {
 
@@ -71,28 +70,21 @@ std::vector<MotionChange> along_load(const MechanismScene& scene, const Rational
 /// A scene with one parameter free, at its load.
 class ChangesAlong {
  public:
-  ChangesAlong(const MechanismScene& scene, std::string parameter)
-      : scene_(scene), parameter_(std::move(parameter)), setting_(setting_along(scene, parameter_)) {
-    if (const auto& load = scene.mechanism.load) {
-      if (!scene.load) throw std::invalid_argument("the scene has no value of " + load->symbol + ", expected one");
-      setting_.scene[load->symbol] = make_number(*scene.load);
-    }
-    if (mode_count(setting_.kinds()) > static_cast<double>(max_change_modes)) {
-      throw std::invalid_argument("found more than " + std::to_string(max_change_modes) +
-                                  " contact modes, expected fewer: how they change along a parameter takes too long");
-    }
-  }
+  ChangesAlong(const MechanismScene& scene, const std::string& parameter)
+      : scene_(scene),
+        parameter_(parameter),
+        line_(scene, parameter, SceneLine::Load::own, max_change_modes, "how they change along a parameter") {}
 
   std::vector<MotionChange> between(const Rational& from, const Rational& to) const {
-    std::vector<RealRoot> roots = inside(from, to);
-    const std::vector<Rational> points = cell_points(roots, {from, to});
+    const std::vector<LineCell> cells = line_cells(inside(from, to), {from, to});
     std::vector<MotionChange> changes;
-    MotionsThere below = at(points.front());
-    for (std::size_t i = 0; i < roots.size(); ++i) {
-      MotionsThere above = at(points[i + 1]);
+    MotionsThere below = at(*cells[1].sample);
+    for (std::size_t i = 2; i + 1 < cells.size(); i += 2) {
+      const LineCell& change = cells[i];
+      MotionsThere above = at(*cells[i + 1].sample);
       std::optional<MotionsThere> here;
-      if (roots[i].is_rational()) here = at(roots[i].lower);
-      add_change(changes, {std::move(roots[i]), below, above, std::move(here)});
+      if (change.sample) here = at(*change.sample);
+      add_change(changes, {*change.lower, below, above, std::move(here)});
       below = std::move(above);
     }
     return changes;
@@ -100,11 +92,8 @@ class ChangesAlong {
 
  private:
   std::vector<RealRoot> inside(const Rational& from, const Rational& to) const {
-    const CompiledSetting compiled(setting_);
-    ClaimParts parts;
-    parts.modes = modes_of(setting_.kinds());
     std::vector<RealRoot> roots;
-    for (RealRoot& root : points_on({{Rational(0)}, {Rational(1)}, from}, compiled, parts).roots) {
+    for (RealRoot& root : line_.points(from).roots) {
       while (!root.is_rational() &&
              ((root.lower <= from && from <= root.upper) || (root.lower <= to && to <= root.upper)))
         halve(root);
@@ -123,8 +112,8 @@ class ChangesAlong {
   }
 
   const MechanismScene& scene_;
-  std::string parameter_;
-  Setting setting_;
+  const std::string& parameter_;
+  const SceneLine line_;
 };
 
 }  // namespace
