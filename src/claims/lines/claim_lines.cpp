@@ -39,9 +39,7 @@ std::size_t visit_line(const Line& line, const CompiledSetting& compiled, const 
                        const std::function<bool(SolvedSample&)>& visit) {
   const LinePoints points = points_on(line, compiled, parts);
   for (const Rational& t : points.values) {
-    std::vector<Rational> values = line.at(t);
-    if (!in_domain(compiled, values)) continue;
-    const auto sample = SolvedSample::make(compiled, std::move(values));
+    const auto sample = SolvedSample::in_domain(compiled, line.at(t));
     if (!sample) continue;
     if (!parts.modes.empty()) sample->only_modes(parts.modes);
     if (!visit(*sample)) break;

@@ -52,14 +52,8 @@ class MotionsAlong {
 
   /// Throws NoValue. What is known of every push, where contacts are redundant, is for one value only: ranges of the
   /// parameter end where mode determinants vanish, not where pairs of modes begin to differ.
-  MotionsAtParameter motions(const Rational& x, bool of_every_push = false) const {
-    const FrictionProblem problem = without_equations(maker().problem(line_.values(x)));
-    MotionsAtParameter result;
-    result.apart = problem.has_load ? apart_of(motions_over_loads(problem)->cells()) : apart_without_load(problem);
-    if (const auto contacts = contact_problem(problem)) {
-      result.for_every_q = of_every_push ? for_every_push(*contacts) : for_every_load(*contacts);
-    }
-    return result;
+  MotionsAtParameter at_own() const {
+    return motions(line_.family().maker().problem(line_.scene().values(own())), true);
   }
 
   std::vector<ParameterCell> cells() const {
@@ -77,15 +71,19 @@ class MotionsAlong {
   }
 
  private:
-  const ProblemMaker& maker() const { return line_.family().maker(); }
+  static MotionsAtParameter motions(const FrictionProblem& with_equations, bool of_every_push) {
+    const FrictionProblem problem = without_equations(with_equations);
+    MotionsAtParameter result;
+    result.apart = problem.has_load ? apart_of(motions_over_loads(problem)->cells()) : apart_without_load(problem);
+    if (const auto contacts = contact_problem(problem)) {
+      result.for_every_q = of_every_push ? for_every_push(*contacts) : for_every_load(*contacts);
+    }
+    return result;
+  }
 
   std::optional<MotionsAtParameter> at(const Rational& x) const {
-    if (!maker().broken(line_.values(x)).empty()) return std::nullopt;
-    try {
-      return motions(x);
-    } catch (const NoValue&) {
-      return std::nullopt;
-    }
+    const auto problem = line_.scene().problem(x);
+    return problem ? std::optional(motions(*problem, false)) : std::nullopt;
   }
 
   /// Concludes about irrational values between neighbours that have one motion for every q.
@@ -141,7 +139,7 @@ std::optional<RealRoot> UniquenessAlong::first_apart_for_some_q() const {
 
 UniquenessAlong uniqueness_along(const MechanismScene& scene, const std::string& parameter) {
   const MotionsAlong line(scene, parameter);
-  return {parameter, line.own(), line.motions(line.own(), true), line.cells()};
+  return {parameter, line.own(), line.at_own(), line.cells()};
 }
 
 }  // namespace slipproof

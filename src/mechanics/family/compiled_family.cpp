@@ -142,19 +142,30 @@ bool CompiledFamily::varies(const Program& program) const {
   });
 }
 
-/// Definitions may be in any order, so this repeats until no further one is found to vary.
 void CompiledFamily::find_varying() {
-  varying_.assign(scope_.slots.size(), false);
-  varying_[force_slot()] = true;
-  for (std::size_t i = 0; i < quantities_; ++i) varying_[quantity_slot(i)] = true;
-  for (bool more = true; more;) {
-    more = false;
-    for (std::size_t slot = 0; slot < varying_.size(); ++slot) {
-      const auto& definition = scope_.slots[slot].definition;
-      if (varying_[slot] || !definition || !varies(*definition)) continue;
-      varying_[slot] = more = true;
+  const auto varies_itself = [&](std::size_t slot) { return slot == force_slot() || is_quantity(slot); };
+  varying_.clear();
+  for (std::size_t slot = 0; slot < scope_.slots.size(); ++slot) {
+    const auto& definition = scope_.slots[slot].definition;
+    varying_.push_back(varies_itself(slot) ||
+                       (definition && std::ranges::any_of(slots_behind(scope_, {&*definition}), varies_itself)));
+  }
+}
+
+std::vector<std::size_t> slots_behind(const Scope& scope, const std::vector<const Program*>& programs) {
+  std::vector<std::size_t> found;
+  std::vector<const Program*> open = programs;
+  while (!open.empty()) {
+    const Program* program = open.back();
+    open.pop_back();
+    for (const std::size_t slot : program->slots()) {
+      if (std::find(found.begin(), found.end(), slot) != found.end()) continue;
+      found.push_back(slot);
+      if (scope.slots[slot].definition) open.push_back(&*scope.slots[slot].definition);
     }
   }
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 bool allows(const CompiledFamily& family, std::size_t parameter, const std::vector<Rational>& values) {

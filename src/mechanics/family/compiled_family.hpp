@@ -97,6 +97,9 @@ class CompiledFamily {
   CompiledScene scene_;
 };
 
+/// The slots that programs use, each once and ascending: directly, or through definitions.
+std::vector<std::size_t> slots_behind(const Scope& scope, const std::vector<const Program*>& programs);
+
 /// Whether the values are inside the domain of one free parameter; in the second form, of all.
 bool allows(const CompiledFamily& family, std::size_t parameter, const std::vector<Rational>& values);
 bool in_domain(const CompiledFamily& family, const std::vector<Rational>& values);

@@ -4,7 +4,7 @@
 //   mu: mu, F: F }, force = F.
 //
 // The setting of a paper has a family in the paper's own symbols; a scene becomes one when a symbol is freed
-// (free.hpp).
+// (freed_scene.hpp).
 #pragma once
 
 #include <cstddef>

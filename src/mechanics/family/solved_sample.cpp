@@ -73,6 +73,10 @@ std::unique_ptr<SolvedSample> SolvedSample::make(const CompiledFamily& family, s
   return sample;
 }
 
+std::unique_ptr<SolvedSample> SolvedSample::in_domain(const CompiledFamily& family, std::vector<Rational> values) {
+  return slipproof::in_domain(family, values) ? make(family, std::move(values)) : nullptr;
+}
+
 ForceInterval SolvedSample::in_variable(const ForceInterval& forces) const {
   if (forces.empty()) return forces;
   const auto turned = [&](const std::optional<Rational>& F) {

@@ -23,6 +23,8 @@ class SolvedSample {
   /// Nothing if the sample is not a point of the mechanism: a scene expression or a coefficient is undefined, or the
   /// point is outside the domain. The family must outlive the sample.
   static std::unique_ptr<SolvedSample> make(const CompiledFamily& family, std::vector<Rational> values);
+  /// The same, and nothing if a value is outside its own domain, which samplers keep to.
+  static std::unique_ptr<SolvedSample> in_domain(const CompiledFamily& family, std::vector<Rational> values);
 
   const std::vector<Rational>& values() const { return values_; }
   /// The mechanism's own parameters.

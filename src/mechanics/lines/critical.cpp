@@ -179,8 +179,7 @@ std::optional<std::vector<std::unique_ptr<SolvedSample>>> last_points(const Comp
     const auto at_root = [&](const RealRoot& root) { return root.lower <= *t && *t <= root.upper; };
     const bool critical = std::any_of(points.roots.begin(), points.roots.end(), at_root) || points.part.lower == *t ||
                           points.part.upper == *t;
-    std::vector<Rational> there = line.at(*t);
-    auto sample = in_domain(family, there) ? SolvedSample::make(family, std::move(there)) : nullptr;
+    auto sample = SolvedSample::in_domain(family, line.at(*t));
     if (sample) found.push_back(std::move(sample));
     if (critical || found.empty()) continue;
     const auto irrational_end = [&](const RealRoot& root) { return !root.is_rational() && root.lower >= *t; };

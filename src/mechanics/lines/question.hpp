@@ -16,7 +16,4 @@ struct Question {
   std::optional<std::size_t> grows;        ///< for a limit: the parameter that goes to the end of its domain
 };
 
-/// The slots that programs use, each once: directly, or through definitions.
-std::vector<std::size_t> slots_behind(const Scope& scope, const std::vector<const Program*>& programs);
-
 }  // namespace slipproof

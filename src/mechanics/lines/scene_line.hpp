@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "mechanics/family/compiled_family.hpp"
+#include "mechanics/family/freed_scene.hpp"
 #include "mechanics/lines/critical.hpp"
-#include "mechanics/scene/scene.hpp"
 
 namespace slipproof {
 
@@ -20,25 +20,23 @@ class SceneLine {
     own     ///< the load is the scene's, which must have one if the mechanism does
   };
   /// Throws std::invalid_argument, with a message for people, if the scene has no such parameter or load, or more than
-  /// `max_modes` modes; what then `takes_too_long` ends the message. The scene must outlive the line.
+  /// `max_modes` modes; what then `takes_too_long` ends the message.
   SceneLine(const MechanismScene& scene, const std::string& parameter, Load load, std::size_t max_modes,
             std::string_view takes_too_long);
 
   const CompiledFamily& family() const { return family_; }
   const std::vector<MechanismMode>& modes() const { return modes_; }
+  const FreedScene& scene() const { return scene_; }
   /// The scene's value of the parameter.
-  const Rational& own() const { return scene_.values.parameters[index_]; }
-  /// The scene's values with another one of the parameter.
-  MechanismValues values(const Rational& x) const;
+  const Rational& own() const { return scene_.free().own; }
   /// Where the motions change, seen from a value in the domain; the zeros of `beside` count, too.
   LinePoints points(const Rational& inside, const std::set<IntegerPolynomial>& beside = {}) const;
 
  private:
-  const MechanismScene& scene_;
+  const FreedScene scene_;
   const Load load_;
   const CompiledFamily family_;
   std::vector<MechanismMode> modes_;
-  std::size_t index_ = 0;
 };
 
 }  // namespace slipproof
