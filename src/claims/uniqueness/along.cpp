@@ -12,10 +12,6 @@ namespace slipproof {
 
 namespace {
 
-bool alike(const LoadsApart& x, const LoadsApart& y) {
-  return x.motions == y.motions && x.continuum == y.continuum;
-}
-
 /// Joins neighbours that are alike to one interval.
 std::vector<LoadsApart> apart_of(const std::vector<LoadCell>& cells) {
   std::vector<LoadsApart> result;
@@ -23,7 +19,7 @@ std::vector<LoadsApart> apart_of(const std::vector<LoadCell>& cells) {
   for (const LoadCell& cell : cells) {
     LoadsApart here{cell.loads, cell.motions.size(), !cell.continua.empty()};
     const bool apart = here.motions != 1 || here.continuum;
-    if (apart && joins && alike(result.back(), here)) {
+    if (apart && joins && here.is_like(result.back())) {
       ForceInterval& loads = result.back().loads;
       loads =
           ForceInterval::between(loads.lower(), loads.lower_closed(), here.loads.upper(), here.loads.upper_closed());
@@ -35,11 +31,10 @@ std::vector<LoadsApart> apart_of(const std::vector<LoadCell>& cells) {
   return result;
 }
 
-/// The same for a problem without a load, where all loads are alike.
-std::vector<LoadsApart> apart_without_load(const FrictionProblem& problem) {
-  const MotionsAtLoad found = motions_of(problem, std::nullopt);
-  if (found.motions.size() == 1 && found.continua.empty()) return {};
-  return {{ForceInterval(), found.motions.size(), !found.continua.empty()}};
+/// Without a load all loads are alike.
+std::vector<LoadCell> all_cells(const FrictionProblem& problem) {
+  if (problem.has_load) return motions_over_loads(problem)->cells();
+  return {cell_of(motions_of(problem, std::nullopt))};
 }
 
 /// A scene with one parameter free, at every load.
@@ -74,7 +69,7 @@ class MotionsAlong {
   static MotionsAtParameter motions(const FrictionProblem& with_equations, bool of_every_push) {
     const FrictionProblem problem = without_equations(with_equations);
     MotionsAtParameter result;
-    result.apart = problem.has_load ? apart_of(motions_over_loads(problem)->cells()) : apart_without_load(problem);
+    result.apart = apart_of(all_cells(problem));
     if (const auto contacts = contact_problem(problem)) {
       result.for_every_q = of_every_push ? for_every_push(*contacts) : for_every_load(*contacts);
     }
@@ -104,9 +99,7 @@ class MotionsAlong {
   std::set<IntegerPolynomial> determinants() const {
     const CompiledFamily& family = line_.family();
     CriticalSet found;
-    LineEvaluator along(family.scope(), {.found = &found, .here = own()});
-    along.set(CompiledFamily::parameter_slot(0), LineFunction::linear(0, 1));
-    along.set(CompiledFamily::force_slot(), LineFunction::force());
+    LineEvaluator along = evaluator_along(line_.line(own()), family, {.found = &found, .here = own()});
     const LineMechanism mechanism(family, along);
     std::set<IntegerPolynomial> result;
     if (!mechanism.has_value()) return result;
@@ -122,19 +115,20 @@ class MotionsAlong {
 
 }  // namespace
 
-std::optional<RealRoot> UniquenessAlong::first_apart() const {
-  const auto apart = [](const ParameterCell& cell) { return cell.motions && !cell.motions->apart.empty(); };
-  const auto found = std::find_if(cells.begin(), cells.end(), apart);
+std::optional<RealRoot> UniquenessAlong::first_where(bool (*holds)(const MotionsAtParameter&)) const {
+  const auto found =
+      std::ranges::find_if(cells, [&](const ParameterCell& cell) { return cell.motions && holds(*cell.motions); });
   return found == cells.end() ? std::nullopt : found->lower;
 }
 
+std::optional<RealRoot> UniquenessAlong::first_apart() const {
+  return first_where([](const MotionsAtParameter& motions) { return !motions.apart.empty(); });
+}
+
 std::optional<RealRoot> UniquenessAlong::first_apart_for_some_q() const {
-  const auto apart = [](const ParameterCell& cell) {
-    return cell.motions && cell.motions->for_every_q &&
-           cell.motions->for_every_q->verdict == EveryLoad::Verdict::not_unique;
-  };
-  const auto found = std::find_if(cells.begin(), cells.end(), apart);
-  return found == cells.end() ? std::nullopt : found->lower;
+  return first_where([](const MotionsAtParameter& motions) {
+    return motions.for_every_q && motions.for_every_q->verdict == EveryLoad::Verdict::not_unique;
+  });
 }
 
 UniquenessAlong uniqueness_along(const MechanismScene& scene, const std::string& parameter) {

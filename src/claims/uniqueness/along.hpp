@@ -24,6 +24,7 @@ struct LoadsApart {
   bool continuum = false;
 
   bool none() const { return motions == 0 && !continuum; }
+  bool is_like(const LoadsApart& other) const { return motions == other.motions && continuum == other.continuum; }
 };
 
 /// What is found at one value of the parameter.
@@ -51,6 +52,9 @@ struct UniquenessAlong {
   std::optional<RealRoot> first_apart() const;
   /// The same for other pushes: the least value at which, or directly above which, not every q has one motion.
   std::optional<RealRoot> first_apart_for_some_q() const;
+
+ private:
+  std::optional<RealRoot> first_where(bool (*holds)(const MotionsAtParameter&)) const;
 };
 
 /// The largest number of modes that are followed along a line.

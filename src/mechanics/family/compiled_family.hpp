@@ -107,11 +107,11 @@ bool in_domain(const CompiledFamily& family, const std::vector<Rational>& values
 /// Assigns values from the family's evaluator to the mechanism's symbols, except the load, in an evaluator over the
 /// mechanism's own scope. False if a symbol has no value, or one that does not fit.
 template <class T, class Field, class Fits>
-bool put_scene(const CompiledFamily& family, Evaluator<T, Field>& free, Evaluator<T, Field>& mechanism,
+bool put_scene(const CompiledFamily& family, Evaluator<T, Field>& symbols, Evaluator<T, Field>& mechanism,
                const Fits& fits) {
   const CompiledMechanism& compiled = family.maker().compiled();
   const auto put = [&](std::size_t slot, const Program& program) {
-    auto value = free.number(program).number;
+    auto value = symbols.number(program).number;
     if (!value || !fits(*value)) return false;
     mechanism.set(slot, std::move(*value));
     return true;

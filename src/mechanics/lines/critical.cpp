@@ -12,17 +12,6 @@ namespace {
 /// For so many min, max or abs that depend on the force, both choices of the operand are tried.
 constexpr std::size_t max_branches = 6;
 
-LineEvaluator evaluator_along(const Line& line, const CompiledFamily& family, LineField field,
-                              std::optional<std::size_t> grows) {
-  LineEvaluator evaluator(family.scope(), std::move(field));
-  for (std::size_t k = 0; k < line.origin.size(); ++k) {
-    evaluator.set(CompiledFamily::parameter_slot(k),
-                  grows == k ? LineFunction::force() : LineFunction::linear(line.origin[k], line.direction[k]));
-  }
-  if (!grows) evaluator.set(CompiledFamily::force_slot(), LineFunction::force());
-  return evaluator;
-}
-
 void add_comparisons(const Program& program, LineEvaluator& evaluator) {
   const LineField& field = evaluator.field();
   for (const Program::Instruction& instruction : program.code()) {
@@ -43,7 +32,7 @@ class View {
       : family_(family),
         question_(question),
         found_(found),
-        evaluator_(evaluator_along(line, family, {.found = &found, .here = here, .branches = branches}, std::nullopt)),
+        evaluator_(evaluator_along(line, family, {.found = &found, .here = here, .branches = branches})),
         growing_(evaluator_along(
             line, family, {.found = &found, .here = here, .branches = branches, .at_infinity = true}, question.grows)) {
   }
@@ -92,7 +81,7 @@ class View {
 /// matters. An irrational end counts as in the domain.
 LinePart domain_part(const Line& line, const CompiledFamily& family) {
   CriticalSet found;
-  LineEvaluator evaluator = evaluator_along(line, family, {.found = &found, .here = line.inside}, std::nullopt);
+  LineEvaluator evaluator = evaluator_along(line, family, {.found = &found, .here = line.inside});
   for (const Program& domain : family.domains()) add_comparisons(domain, evaluator);
   if (!found.orders().empty() || found.branches() > 0) return {};
   const std::vector<LineCell> cells = line_cells(real_roots(found.polynomials()));

@@ -43,14 +43,25 @@ Affine<IntegerPolynomial> over_force(const PolynomialRow& row) {
 
 }  // namespace
 
-LineMechanism::LineMechanism(const CompiledFamily& family, LineEvaluator& free)
-    : family_(family), free_(free), found_(*free.field().found) {
+LineEvaluator evaluator_along(const Line& line, const CompiledFamily& family, LineField field,
+                              std::optional<std::size_t> grows) {
+  LineEvaluator evaluator(family.scope(), std::move(field));
+  for (std::size_t k = 0; k < line.origin.size(); ++k) {
+    evaluator.set(CompiledFamily::parameter_slot(k),
+                  grows == k ? LineFunction::force() : LineFunction::linear(line.origin[k], line.direction[k]));
+  }
+  if (!grows) evaluator.set(CompiledFamily::force_slot(), LineFunction::force());
+  return evaluator;
+}
+
+LineMechanism::LineMechanism(const CompiledFamily& family, LineEvaluator& symbols)
+    : family_(family), symbols_(symbols), found_(*symbols.field().found) {
   const CompiledMechanism& compiled = family.maker().compiled();
   const CompiledScene& scene = family.scene();
-  LineEvaluator at(compiled.scope(), free.field());
-  if (!put_scene(family, free, at, [](const LineFunction& value) { return value.without_force(); })) return;
+  LineEvaluator at(compiled.scope(), symbols.field());
+  if (!put_scene(family, symbols, at, [](const LineFunction& value) { return value.without_force(); })) return;
   if (scene.load) {
-    auto load = free.number(*scene.load).number;
+    auto load = symbols.number(*scene.load).number;
     if (!load || load->numerator().size() > 2 || load->denominator().size() != 1) return;
     load_ = std::move(*load);
   }
@@ -134,7 +145,7 @@ bool LineMechanism::add_mode(const MechanismMode& mode, const std::vector<std::s
     const IntegerPolynomial denominator = factor * solved.reduce(value);
     const bool determined = std::all_of(value.begin(), value.begin() + static_cast<std::ptrdiff_t>(unknowns),
                                         [](const auto& x) { return x.is_zero(); });
-    if (determined) free_.set(slot, LineFunction(over_force(value), denominator));
+    if (determined) symbols_.set(slot, LineFunction(over_force(value), denominator));
   }
   return complete;
 }

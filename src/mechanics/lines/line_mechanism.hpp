@@ -14,6 +14,7 @@
 
 #include "mechanics/family/compiled_family.hpp"
 #include "mechanics/lines/critical_set.hpp"
+#include "mechanics/lines/line.hpp"
 #include "mechanics/lines/polynomial_rows.hpp"
 #include "mechanics/mechanism/system.hpp"
 
@@ -21,16 +22,20 @@ namespace slipproof {
 
 using LineEvaluator = Evaluator<LineFunction, LineField>;
 
+/// The family's symbols along a line. For a limit, `grows` is the parameter that takes the place of the force.
+LineEvaluator evaluator_along(const Line& line, const CompiledFamily& family, LineField field,
+                              std::optional<std::size_t> grows = std::nullopt);
+
 class LineMechanism {
  public:
-  /// `free` has the values of the family's parameters along the line; critical polynomials are added to its field's
+  /// `symbols` has the values of the family's parameters along the line; critical polynomials are added to its field's
   /// set. Both must outlive it.
-  LineMechanism(const CompiledFamily& family, LineEvaluator& free);
+  LineMechanism(const CompiledFamily& family, LineEvaluator& symbols);
 
   /// False if a coefficient has no value along the whole line; then there are no motions.
   bool has_value() const { return system_.has_value(); }
-  /// Adds the critical polynomials of a mode. Assigns values in `free` to the wanted slots of quantities if the force
-  /// determines them. False if the mode has no solution along the whole line, or is skipped because eliminating
+  /// Adds the critical polynomials of a mode. Assigns values in `symbols` to the wanted slots of quantities if the
+  /// force determines them. False if the mode has no solution along the whole line, or is skipped because eliminating
   /// undetermined forces takes too many forms.
   bool add_mode(const MechanismMode& mode, const std::vector<std::size_t>& wanted);
 
@@ -57,7 +62,7 @@ class LineMechanism {
   bool add_conditions(Conditions conditions, const std::vector<std::size_t>& free);
 
   const CompiledFamily& family_;
-  LineEvaluator& free_;
+  LineEvaluator& symbols_;
   CriticalSet& found_;
   std::optional<MechanismSystem<LineFunction>> system_;
   LineFunction load_ = LineFunction::force();  ///< over the force variable

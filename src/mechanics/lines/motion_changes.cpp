@@ -12,29 +12,13 @@ namespace slipproof {
 
 namespace {
 
-MotionsThere motions_there(std::vector<std::vector<MechanismMode>> motions, std::vector<MechanismMode> continua) {
-  std::ranges::sort(motions);
-  std::ranges::sort(continua);
-  return {std::move(motions), std::move(continua)};
-}
-
-std::vector<MechanismMode> joined(std::vector<MechanismMode> modes, const std::vector<MechanismMode>& more) {
-  modes.insert(modes.end(), more.begin(), more.end());
-  return modes;
-}
-
-MotionsThere of_load(const MotionsAtLoad& found) {
-  std::vector<std::vector<MechanismMode>> motions;
-  std::vector<MechanismMode> continua;
-  for (const MotionAtLoad& motion : found.motions) motions.push_back(motion.all_modes());
-  for (const ContinuumAtLoad& continuum : found.continua) continua.push_back(continuum.mode);
-  return motions_there(std::move(motions), std::move(continua));
-}
-
-MotionsThere of_cell(const LoadCell& cell) {
-  std::vector<std::vector<MechanismMode>> motions;
-  for (const MotionOverLoads& motion : cell.motions) motions.push_back(joined(motion.modes, motion.boundary_modes));
-  return motions_there(std::move(motions), cell.continua);
+MotionsThere motions_there(const LoadCell& cell) {
+  MotionsThere there;
+  for (const MotionOverLoads& motion : cell.motions) there.motions.push_back(motion.all_modes());
+  there.continua = cell.continua;
+  std::ranges::sort(there.motions);
+  std::ranges::sort(there.continua);
+  return there;
 }
 
 bool share_a_mode(const std::vector<MechanismMode>& x, const std::vector<MechanismMode>& y) {
@@ -62,7 +46,8 @@ std::vector<MotionChange> along_load(const MechanismScene& scene, const Rational
   for (std::size_t i = 1; i + 1 < cells.size(); ++i) {
     const auto point = cells[i].loads.lower();
     if (point != cells[i].loads.upper() || *point <= from || to <= *point) continue;
-    add_change(changes, {{*point, *point}, of_cell(cells[i - 1]), of_cell(cells[i + 1]), of_cell(cells[i])});
+    add_change(changes,
+               {{*point, *point}, motions_there(cells[i - 1]), motions_there(cells[i + 1]), motions_there(cells[i])});
   }
   return changes;
 }
@@ -105,7 +90,7 @@ class ChangesAlong {
   MotionsThere at(const Rational& value) const {
     const MechanismScene there = with_values(scene_, {{parameter_, value}});
     try {
-      return of_load(motions_of(friction_problem(there.mechanism, there.values), there.load));
+      return motions_there(cell_of(motions_of(friction_problem(there.mechanism, there.values), there.load)));
     } catch (const NoValue& error) {
       throw std::invalid_argument(error.what());
     }

@@ -35,7 +35,7 @@ LinePoints SceneLine::points(const Rational& inside, const std::set<IntegerPolyn
   Question question;
   question.modes = modes_;
   question.modes_meet = load_ == Load::every;
-  return points_on({{Rational(0)}, {Rational(1)}, inside}, family_, question, beside);
+  return points_on(line(inside), family_, question, beside);
 }
 
 }  // namespace slipproof

@@ -29,6 +29,8 @@ class SceneLine {
   const FreedScene& scene() const { return scene_; }
   /// The scene's value of the parameter.
   const Rational& own() const { return scene_.free().own; }
+  /// Its t is the parameter's value.
+  Line line(const Rational& inside) const { return {{Rational(0)}, {Rational(1)}, inside}; }
   /// Where the motions change, seen from a value in the domain; the zeros of `beside` count, too.
   LinePoints points(const Rational& inside, const std::set<IntegerPolynomial>& beside = {}) const;
 

@@ -9,6 +9,7 @@
 #include "claims/mutation/claims_mutants.hpp"
 #include "claims/paper/claim_kind.hpp"
 #include "claims/reading/read_claims_file.hpp"
+#include "claims/sampling/claim_parts.hpp"
 #include "claims/sampling/sampler.hpp"
 #include "claims/verify/verify.hpp"
 #include "mechanics/lines/critical.hpp"

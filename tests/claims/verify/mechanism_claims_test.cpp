@@ -8,6 +8,7 @@
 #include "claims/judge/judge.hpp"
 #include "claims/mutation/mutation.hpp"
 #include "claims/reading/read_claims_file.hpp"
+#include "claims/sampling/claim_parts.hpp"
 #include "claims/sampling/sampler.hpp"
 #include "claims/statements/claim_statements.hpp"
 #include "claims/verify/verify.hpp"
