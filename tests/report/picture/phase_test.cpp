@@ -8,6 +8,7 @@
 
 #include "base/input/diagnostic.hpp"
 #include "base/number/binary64.hpp"
+#include "claims/paper/compiled.hpp"
 #include "claims/planes/claims_plane.hpp"
 #include "claims/reading/read_claims_file.hpp"
 #include "mechanics/family/solved_sample.hpp"
