@@ -185,4 +185,22 @@ std::vector<Rational> cell_points(const std::vector<RealRoot>& roots, const Line
   return points;
 }
 
+std::vector<LineCell> line_cells(const std::vector<RealRoot>& roots, const LinePart& part) {
+  std::vector<Rational> inside = cell_points(roots, part);
+  std::vector<LineCell> cells;
+  const auto end = [](const std::optional<Rational>& x) { return x ? std::optional(RealRoot{*x, *x}) : std::nullopt; };
+  const auto add_point = [&](const std::optional<RealRoot>& x) {
+    if (x) cells.push_back({x, x, x->is_rational() ? std::optional(x->lower) : std::nullopt});
+  };
+  std::optional<RealRoot> lower = end(part.lower);
+  add_point(lower);
+  for (std::size_t i = 0; i < inside.size(); ++i) {
+    std::optional<RealRoot> upper = i == roots.size() ? end(part.upper) : std::optional(roots[i]);
+    cells.push_back({std::move(lower), upper, std::move(inside[i])});
+    add_point(upper);
+    lower = std::move(upper);
+  }
+  return cells;
+}
+
 }  // namespace slipproof

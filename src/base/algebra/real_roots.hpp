@@ -41,4 +41,15 @@ std::vector<RealRoot> real_roots(const std::set<IntegerPolynomial>& polynomials,
 /// and the last. Each is the simplest of its cell, or of a part of the cell if an end is irrational.
 std::vector<Rational> cell_points(const std::vector<RealRoot>& roots, const LinePart& part = {});
 
+/// A root or an end of the part of the line, or the open interval between two neighbours.
+struct LineCell {
+  std::optional<RealRoot> lower, upper;  ///< both the same for a single number; nothing: no end
+  std::optional<Rational> sample;        ///< the number, or that of cell_points(); nothing for an irrational root
+
+  bool is_point() const { return lower && upper && lower->lower == upper->lower && lower->upper == upper->upper; }
+};
+
+/// All of them in ascending order, from the lower end of the part to its upper end.
+std::vector<LineCell> line_cells(const std::vector<RealRoot>& roots, const LinePart& part = {});
+
 }  // namespace slipproof

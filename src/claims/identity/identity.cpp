@@ -57,7 +57,7 @@ class IdentitySearch {
     return slots;
   }
   /// Adds the slots of cosines and sines, two for each angle, which follow all parameters.
-  static std::vector<std::size_t> with_angles(std::vector<std::size_t> slots, const std::vector<PaperAngle>& angles) {
+  static std::vector<std::size_t> with_angles(std::vector<std::size_t> slots, const std::vector<FreeAngle>& angles) {
     for (std::size_t i = 0; i < 2 * angles.size(); ++i) slots.push_back(slots.size());
     return slots;
   }
@@ -98,7 +98,7 @@ class IdentitySearch {
       if (moves || uses(angles_[i])) add_factor(one_and_cosine(i));
     }
   }
-  bool uses(const PaperAngle& angle) const {
+  bool uses(const FreeAngle& angle) const {
     const SettingNames names(file_.settings[claim_.setting]);
     const auto all = expressions(body_);
     return std::any_of(all.begin(), all.end(),
@@ -130,7 +130,7 @@ class IdentitySearch {
   const Claim& claim_;
   Reading reading_;
   const ClaimBody& body_;
-  const std::vector<PaperAngle>& angles_;
+  const std::vector<FreeAngle>& angles_;
   const CompiledSetting& setting_;
   const CompiledBody& programs_;
   std::vector<std::size_t> variables_;  ///< slots

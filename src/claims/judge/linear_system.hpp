@@ -4,7 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "claims/sampling/solved_sample.hpp"
+#include "claims/paper/compiled.hpp"
+#include "mechanics/family/solved_sample.hpp"
 
 namespace slipproof {
 

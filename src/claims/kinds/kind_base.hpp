@@ -44,12 +44,6 @@ inline bool have_common(const Modes& x, const Modes& y) {
   return std::any_of(x.begin(), x.end(), [&](const MechanismMode& mode) { return names(y, mode); });
 }
 
-inline Modes with_boundary(const MotionOverLoads& motion) {
-  Modes modes = motion.modes;
-  modes.insert(modes.end(), motion.boundary_modes.begin(), motion.boundary_modes.end());
-  return modes;
-}
-
 /// The parts cut to `forces`, without empty ones.
 inline ClaimJudge::Intervals within(ClaimJudge::Intervals parts, const ForceInterval& forces) {
   for (ForceInterval& part : parts) part.intersect(forces);

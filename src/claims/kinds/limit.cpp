@@ -1,7 +1,7 @@
 // As the parameter goes to the upper end of its domain, `holds` is true from some value on.
 #include "claims/kinds/kind_base.hpp"
-#include "claims/lines/critical.hpp"
 #include "claims/reading/claims_reader.hpp"
+#include "mechanics/lines/critical.hpp"
 
 namespace slipproof {
 
@@ -27,7 +27,7 @@ void read_parameter(const BodyTable& in, std::string_view key) {
   const PlacedText* text = in.table.string(key);
   if (text == nullptr || in.in_setting() == nullptr) return;
   std::vector<std::string_view> known;
-  for (const Parameter& parameter : in.in_setting()->parameters) {
+  for (const FreeParameter& parameter : in.in_setting()->parameters) {
     if (!parameter.angle) known.push_back(parameter.symbol);
   }
   if (std::find(known.begin(), known.end(), text->text()) == known.end()) {

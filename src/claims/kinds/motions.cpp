@@ -90,7 +90,7 @@ class MotionsKind : public KindBase {
     // In a strict setting only strict motions and their modes count.
     std::vector<Modes> motions;
     for (const MotionOverLoads& motion : cell.motions) {
-      if (!motion.modes.empty() || !at.strict()) motions.push_back(at.strict() ? motion.modes : with_boundary(motion));
+      if (!motion.modes.empty() || !at.strict()) motions.push_back(at.strict() ? motion.modes : motion.all_modes());
     }
     const Modes& stated = at.body().modes;
     for (const Modes& modes : motions) {

@@ -73,10 +73,10 @@ std::optional<Judgement> not_one_motion(ClaimJudge& at, const std::vector<LoadCe
       std::find_if(cells.begin(), cells.end(), [&](const LoadCell& c) { return c.loads.contains(force); });
   if (!cell->continua.empty()) return fail(Reason::continuum, cell->continua.front());
   for (const MotionOverLoads& motion : cell->motions) {
-    const Modes modes = with_boundary(motion);
+    const Modes modes = motion.all_modes();
     if (!have_common(modes, expected)) return fail(Reason::extra, modes.front());
   }
-  if (cell->motions.size() > 1) return fail(Reason::extra, with_boundary(cell->motions[1]).front());
+  if (cell->motions.size() > 1) return fail(Reason::extra, cell->motions[1].all_modes().front());
   const bool modelled =
       std::all_of(expected.begin(), expected.end(), [&](const MechanismMode& m) { return at.find(m).has_value(); });
   if (cell->motions.empty() && modelled) {

@@ -15,7 +15,7 @@ bool is_force(const Setting& setting, const Expression& number) {
   const Expression &left = number->operands[0], &right = number->operands[1];
   if (right->operation != Operation::symbol) return false;
   return is_force(setting, left) &&
-         std::any_of(setting.parameters.begin(), setting.parameters.end(), [&](const Parameter& parameter) {
+         std::any_of(setting.parameters.begin(), setting.parameters.end(), [&](const FreeParameter& parameter) {
            return parameter.symbol == right->symbol && parameter.is_positive();
          });
 }

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "base/expression/logic.hpp"
-#include "claims/lines/critical.hpp"
 #include "claims/sampling/sampler.hpp"
+#include "mechanics/lines/critical.hpp"
 
 namespace slipproof {
 
@@ -16,7 +16,7 @@ std::optional<ClaimLines> claim_lines(const ClaimsFile& file, const CompiledClai
   std::vector<const Program*> programs = lines.parts.conditions;
   programs.insert(programs.end(), lines.parts.of_motions.begin(), lines.parts.of_motions.end());
   lines.matters = parameters_of(compiled.settings[file.claims[claim].setting], programs,
-                                lines.parts.modes.empty() ? Beside::nothing : Beside::the_bicycle);
+                                lines.parts.modes.empty() ? Beside::nothing : Beside::the_scene);
   if (std::find(lines.matters.begin(), lines.matters.end(), true) == lines.matters.end()) return std::nullopt;
   return lines;
 }
@@ -39,9 +39,7 @@ std::size_t visit_line(const Line& line, const CompiledSetting& compiled, const 
                        const std::function<bool(SolvedSample&)>& visit) {
   const LinePoints points = points_on(line, compiled, parts);
   for (const Rational& t : points.values) {
-    std::vector<Rational> values = line.at(t);
-    if (!in_domain(compiled, values)) continue;
-    const auto sample = SolvedSample::make(compiled, std::move(values));
+    const auto sample = SolvedSample::in_domain(compiled, line.at(t));
     if (!sample) continue;
     if (!parts.modes.empty()) sample->only_modes(parts.modes);
     if (!visit(*sample)) break;

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "claims/lines/line.hpp"
 #include "claims/sampling/claim_parts.hpp"
-#include "claims/sampling/solved_sample.hpp"
+#include "mechanics/family/solved_sample.hpp"
+#include "mechanics/lines/line.hpp"
 
 namespace slipproof {
 

@@ -11,7 +11,7 @@ SettingNames::SettingNames(const Setting& setting) : setting_(&setting) {
   for (std::size_t i = 0; i < setting.parameters.size(); ++i) {
     if (!setting.parameters[i].angle) add(setting.parameters[i].symbol, Kind::parameter, i);
   }
-  for (const PaperAngle& angle : setting.angles) {
+  for (const FreeAngle& angle : setting.angles) {
     add(angle.cosine, Kind::parameter, angle.parameter);
     add(angle.sine, Kind::parameter, angle.parameter);
   }

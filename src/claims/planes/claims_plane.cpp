@@ -99,13 +99,7 @@ class ColumnSolver {
   }
 
   std::optional<PhaseColumn> at(const Rational& x) const {
-    std::vector<Rational> values = values_at(x);
-    Evaluator<Rational> domain(setting_.scope());
-    for (std::size_t k = 0; k < values.size(); ++k) domain.set(CompiledSetting::parameter_slot(k), values[k]);
-    for (const Program& inside : setting_.domains()) {
-      if (domain.truth(inside) != Truth::yes) return std::nullopt;
-    }
-    const auto sample = SolvedSample::make(setting_, std::move(values));
+    const auto sample = SolvedSample::in_domain(setting_, values_at(x));
     if (!sample) return std::nullopt;
     PhaseColumn column;
     column.cells = sample->cells();

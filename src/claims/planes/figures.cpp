@@ -64,7 +64,7 @@ class FigureReader {
 
   void values(const Setting& setting, std::string_view x, Figure& figure) const {
     std::vector<std::string_view> symbols;
-    for (const Parameter& parameter : setting.parameters) symbols.push_back(parameter.symbol);
+    for (const FreeParameter& parameter : setting.parameters) symbols.push_back(parameter.symbol);
     const auto at = std::find(symbols.begin(), symbols.end(), x);
     if (at == symbols.end() && !x.empty()) table_.refuse("x", "the setting has no parameter " + in_quotes(x));
     figure.x = static_cast<std::size_t>(at - symbols.begin());

@@ -3,7 +3,6 @@
 #include <array>
 #include <filesystem>
 
-#include "base/expression/logic.hpp"
 #include "claims/reading/claims_reader.hpp"
 #include "mechanics/kernel/mode_solver.hpp"
 #include "mechanics/scene/bicycle_scene.hpp"
@@ -61,11 +60,7 @@ class SceneReader {
     }
     complete();
     refuse_open_without_lift();
-    if (const auto& load = setting_.mechanism->load) {
-      for (const PlacedExpression& bound : load->domain) {
-        setting_.force.domain = conjunction(setting_.force.domain, setting_.in_paper(bound.expression));
-      }
-    }
+    setting_.restrict_force_to_load();
   }
 
  private:
@@ -86,7 +81,7 @@ class SceneReader {
   bool has_symbol(const std::string& symbol) const {
     const auto& all = setting_.parameters;
     return (is_load(symbol) && setting_.force.symbol == symbol) ||
-           std::any_of(all.begin(), all.end(), [&](const Parameter& p) { return !p.angle && p.symbol == symbol; });
+           std::any_of(all.begin(), all.end(), [&](const FreeParameter& p) { return !p.angle && p.symbol == symbol; });
   }
 
   void read_number(const TableReader& reader, const std::string& symbol, bool optional) {
@@ -110,7 +105,7 @@ class SceneReader {
     };
     if (!reader.has(angle.name)) {
       const auto& own = setting_.angles;
-      const auto same = std::find_if(own.begin(), own.end(), [&](const PaperAngle& a) { return a.name == angle.name; });
+      const auto same = std::find_if(own.begin(), own.end(), [&](const FreeAngle& a) { return a.name == angle.name; });
       if (same != own.end()) return put(make_symbol(same->cosine), make_symbol(same->sine));
       reader.require(angle.name, "an angle such as { tan_half = \"t\" } or { cos = \"c\", sin = \"s\" }");
       return;
@@ -124,7 +119,7 @@ class SceneReader {
       if (form.has("cos") || form.has("sin"))
         return form.refuse("tan_half", "found beside cos or sin, expected one of the two");
       const Expression t = number("tan_half");
-      const PaperAngle by_half{angle.name, {}, {}, 0};
+      const FreeAngle by_half{angle.name, {}, {}, 0};
       const auto with_t = [&](const Expression& e) { return substitute(e, angle.name, t); };
       return put(with_t(by_half.cosine_value()), with_t(by_half.sine_value()));
     }

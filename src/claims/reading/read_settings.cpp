@@ -36,7 +36,7 @@ class SettingReader {
     inherit();
     read_scene(table_, context_, setting_);
     for (const auto& [parameter, domain] : inherited_)
-      setting_.parameters[parameter].domain = setting_.in_paper(domain);
+      setting_.parameters[parameter].domain = setting_.in_family(domain);
     for (const PlacedText* boundary : table_.strings("boundaries")) read_boundary(*boundary);
     read_realisable();
     context_.file.settings.push_back(std::move(setting_));
@@ -80,7 +80,7 @@ class SettingReader {
 
   void read_parameter(const TomlEntry& entry) {
     declare(entry.key, entry.place);
-    Parameter parameter{entry.key, make_truth(true), {}, 0};
+    FreeParameter parameter{entry.key, make_truth(true), {}, 0};
     if (entry.value.kind == TomlValue::Kind::table) {
       static constexpr std::array<std::string_view, 4> keys{"domain", "meaning", "line", "unit"};
       const TableReader table(entry.value, "the parameter " + entry.key, keys, context_.mistakes);
@@ -164,13 +164,13 @@ class SettingReader {
       static constexpr std::array<std::string_view, 5> keys{"cos", "sin", "domain", "meaning", "line"};
       const TableReader table(entry.value, "the angle " + entry.key, keys, context_.mistakes);
       declare(entry.key, entry.place);
-      PaperAngle angle{entry.key, context_.text(table, "cos", "the symbol of its cosine"),
-                       context_.text(table, "sin", "the symbol of its sine"), setting_.parameters.size()};
+      FreeAngle angle{entry.key, context_.text(table, "cos", "the symbol of its cosine"),
+                      context_.text(table, "sin", "the symbol of its sine"), setting_.parameters.size()};
       for (const auto& [key, symbol] : {std::pair{"cos", angle.cosine}, {"sin", angle.sine}}) {
         if (table.string(key) != nullptr) declare(symbol, table.place(key));
       }
-      Parameter half{entry.key, make_truth(true), context_.optional_text(table, "meaning"),
-                     context_.line(table, "line", false), setting_.angles.size()};
+      FreeParameter half{entry.key, make_truth(true), context_.optional_text(table, "meaning"),
+                         context_.line(table, "line", false), setting_.angles.size()};
       if (table.has("domain")) half.domain = context_.expression(table, "domain", Sort::truth, index_, {});
       setting_.angles.push_back(std::move(angle));
       setting_.parameters.push_back(std::move(half));
@@ -260,7 +260,7 @@ class SettingReader {
     }
     const std::string& symbol = boundary->operands[0]->symbol;
     std::vector<std::string_view> parameters;
-    for (const Parameter& parameter : setting_.parameters) {
+    for (const FreeParameter& parameter : setting_.parameters) {
       if (!parameter.angle) parameters.push_back(parameter.symbol);
     }
     if (std::find(parameters.begin(), parameters.end(), symbol) == parameters.end()) {

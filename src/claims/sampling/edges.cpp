@@ -8,7 +8,7 @@ namespace slipproof {
 
 namespace {
 
-std::optional<Rational> lower_end(const Parameter& parameter, const CompiledSetting& compiled,
+std::optional<Rational> lower_end(const FreeParameter& parameter, const CompiledSetting& compiled,
                                   const std::vector<Rational>& values) {
   const Node& domain = *parameter.domain;
   if (domain.operation != Operation::compare || domain.relations.size() != 1) return std::nullopt;

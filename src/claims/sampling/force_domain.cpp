@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "claims/sampling/sampler.hpp"
-#include "claims/sampling/solved_sample.hpp"
+#include "mechanics/family/solved_sample.hpp"
 
 namespace slipproof {
 

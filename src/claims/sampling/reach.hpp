@@ -3,7 +3,8 @@
 
 #include <vector>
 
-#include "claims/sampling/solved_sample.hpp"
+#include "claims/paper/compiled.hpp"
+#include "mechanics/family/solved_sample.hpp"
 
 namespace slipproof {
 

@@ -1,12 +1,11 @@
 #include "claims/sampling/sampler.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 
 #include "base/expression/filtered.hpp"
-#include "base/number/dice.hpp"
+#include "mechanics/points/drawn_number.hpp"
 
 namespace slipproof {
 
@@ -14,10 +13,6 @@ namespace {
 
 bool is_true(FilteredEvaluator& evaluator, const Program& program) {
   return evaluator.truth(program) == Truth::yes;
-}
-
-bool allows_all(FilteredEvaluator& evaluator, const std::vector<Program>& domains) {
-  return std::all_of(domains.begin(), domains.end(), [&](const Program& domain) { return is_true(evaluator, domain); });
 }
 
 std::vector<std::size_t> unmet_by(FilteredEvaluator& evaluator, const std::vector<Program>& conditions) {
@@ -88,79 +83,29 @@ enum class Kind { integers, fractions, on_boundary, near_boundary, between_bound
 constexpr std::array kinds{Kind::integers,           Kind::fractions, Kind::on_boundary, Kind::near_boundary,
                            Kind::between_boundaries, Kind::extreme,   Kind::fractions,   Kind::on_boundary};
 
-constexpr int largest_numerator = 12, largest_denominator = 8;
-
-/// Fractions in lowest terms, computed once: a sample may take thousands of them.
-const Rational& small_fraction(int numerator, int denominator) {
-  static const std::vector<Rational> all = [] {
-    std::vector<Rational> fractions;
-    for (int n = -largest_numerator; n <= largest_numerator; ++n) {
-      for (int d = 1; d <= largest_denominator; ++d) fractions.emplace_back(n, d);
-    }
-    return fractions;
-  }();
-  return all[static_cast<std::size_t>((numerator + largest_numerator) * largest_denominator + denominator - 1)];
-}
-
-/// numerator / denominator * 2^exponent.
-struct Drawn {
-  int numerator = 0, denominator = 1, exponent = 0;
-
-  Rational value() const {
-    const Rational& small = small_fraction(numerator, denominator);
-    return exponent == 0 ? small : small * power_of_two(exponent);
-  }
-};
-
-Drawn draw(Dice& dice, Kind kind) {
-  Drawn drawn;
-  const int sign = dice.chance(4) ? -1 : 1;
-  if (dice.chance(10)) return drawn;
-  if (kind == Kind::integers) {
-    drawn.numerator = sign * dice.number(1, 6);
-    return drawn;
-  }
-  drawn.denominator = dice.number(1, largest_denominator);
-  drawn.numerator = sign * dice.number(1, largest_numerator);
-  if (kind == Kind::extreme && !dice.chance(2)) drawn.exponent = dice.number(-40, 40);
-  return drawn;
-}
-
-/// False if no value of this kind can be equal to x: no possible denominator makes x an integer, or an integer times a
-/// power of two, and the difference is far larger than x's error and the roundings here.
-bool may_be_drawn(const Approximate& x, Kind kind) {
-  constexpr double margin = 1e-6;
-  for (int denominator = 1; denominator <= largest_denominator; ++denominator) {
-    double scale = denominator;
-    if (kind == Kind::extreme) {
-      int exponent = 0;
-      std::frexp(x.value * scale, &exponent);
-      scale = std::ldexp(scale, 4 - exponent);  // numerators have four bits
-    }
-    const double numerator = x.value * scale;
-    if (!(std::fabs(numerator - std::nearbyint(numerator)) > margin + x.error * scale)) return true;
-  }
-  return false;
+NumberKind number_kind(Kind kind) {
+  if (kind == Kind::integers) return NumberKind::integers;
+  return kind == Kind::extreme ? NumberKind::extreme : NumberKind::fractions;
 }
 
 /// Draws one parameter again, a limited number of times, until its domain allows it.
-void draw_again(SamplePoint& point, std::size_t parameter, int times, Dice& dice, Kind kind, Rational& value) {
+void draw_again(SamplePoint& point, std::size_t parameter, int times, Dice& dice, NumberKind kind, Rational& value) {
   if (point.allows(parameter)) return;
   if (const Approximate* const demanded = point.demanded(parameter); demanded && !may_be_drawn(*demanded, kind)) {
-    for (; times > 1; --times) draw(dice, kind);  // all these draws are in vain
+    for (; times > 1; --times) draw_number(dice, kind);  // all these draws are in vain
   }
   for (; times > 0 && !point.allows(parameter); --times) {
-    value = draw(dice, kind).value();
+    value = draw_number(dice, kind).value();
     point.changed(parameter);
   }
 }
 
 std::vector<Rational> draw_all(SamplePoint& point, const std::vector<std::optional<Rational>>& only_values, Dice& dice,
-                               Kind kind) {
+                               NumberKind kind) {
   std::vector<Rational> values(only_values.size());
   for (int attempt = 0; attempt < 200; ++attempt) {
     for (std::size_t k = 0; k < values.size(); ++k) {
-      values[k] = draw(dice, kind).value();
+      values[k] = draw_number(dice, kind).value();
       if (only_values[k]) values[k] = *only_values[k];
     }
     if (point.at(values).in_domain()) return values;
@@ -173,11 +118,11 @@ std::vector<Rational> draw_all(SamplePoint& point, const std::vector<std::option
 
 /// Draws single parameters again, if no further condition then breaks, until the mechanism can be built; false if it
 /// does not succeed.
-bool make_realisable(SamplePoint& point, Dice& dice, Kind kind, std::vector<Rational>& values) {
+bool make_realisable(SamplePoint& point, Dice& dice, NumberKind kind, std::vector<Rational>& values) {
   const auto last = static_cast<int>(values.size()) - 1;
   std::size_t unmet = point.at(values).unrealisable().size();
   for (int attempt = 0; attempt < 400 && unmet > 0; ++attempt) {
-    Rational drawn = draw(dice, kind).value();
+    Rational drawn = draw_number(dice, kind).value();
     const auto parameter = static_cast<std::size_t>(dice.number(0, last));
     Rational& value = values[parameter];
     Rational before = std::exchange(value, std::move(drawn));
@@ -220,16 +165,6 @@ Rational placed(const std::vector<Rational>& boundaries, Dice& dice, Kind kind) 
 
 }  // namespace
 
-bool allows(const CompiledSetting& setting, std::size_t parameter, const std::vector<Rational>& values) {
-  FilteredEvaluator evaluator = evaluator_at(setting, values);
-  return is_true(evaluator, setting.domains()[parameter]);
-}
-
-bool in_domain(const CompiledSetting& setting, const std::vector<Rational>& values) {
-  FilteredEvaluator evaluator = evaluator_at(setting, values);
-  return allows_all(evaluator, setting.domains());
-}
-
 std::vector<std::size_t> unrealisable(const CompiledSetting& setting, const std::vector<Rational>& values) {
   FilteredEvaluator evaluator = evaluator_at(setting, values);
   return unmet_by(evaluator, setting.realisable());
@@ -257,8 +192,9 @@ std::vector<Rational> Sampler::at(std::uint64_t i) const {
   // A mechanism that can be built has fractions, for example because wheels are smaller than the vehicle.
   if (among_ == Among::realisable && kind == Kind::integers) kind = Kind::fractions;
   SamplePoint point(*setting_, domains_);
-  std::vector<Rational> values = draw_all(point, only_values_, dice, kind);
-  if (!values.empty() && among_ == Among::realisable && !make_realisable(point, dice, kind, values)) return {};
+  std::vector<Rational> values = draw_all(point, only_values_, dice, number_kind(kind));
+  if (!values.empty() && among_ == Among::realisable && !make_realisable(point, dice, number_kind(kind), values))
+    return {};
   if (values.empty() || kind == Kind::integers || kind == Kind::fractions || setting_->boundaries().empty())
     return values;
   if (kind == Kind::extreme && dice.chance(2)) return values;

@@ -35,10 +35,6 @@ class Sampler {
   std::vector<std::optional<Rational>> only_values_;  ///< by parameter, if its domain allows one constant only
 };
 
-/// Whether the values are inside the domain of one parameter; in the second form, of all parameters.
-bool allows(const CompiledSetting& setting, std::size_t parameter, const std::vector<Rational>& values);
-bool in_domain(const CompiledSetting& setting, const std::vector<Rational>& values);
-
 /// The indices of the setting's conditions for realisable points that are not met.
 std::vector<std::size_t> unrealisable(const CompiledSetting& setting, const std::vector<Rational>& values);
 

@@ -116,10 +116,10 @@ std::string definitions(const Setting& setting, Reading reading) {
 std::string canonical_setting(std::size_t number, const Setting& setting, Reading reading) {
   std::string text = fmt::format("# {}, {} reading\nsetting {} {}\n", in_ascii(setting.id), name(reading), number,
                                  setting.strict ? "strict" : "closed");
-  for (const Parameter& parameter : setting.parameters) {
+  for (const FreeParameter& parameter : setting.parameters) {
     if (!parameter.angle) text += fmt::format("parameter {} : {}\n", parameter.symbol, canonical(parameter.domain));
   }
-  for (const PaperAngle& angle : setting.angles) {
+  for (const FreeAngle& angle : setting.angles) {
     text += fmt::format("angle {} {} : {}\n", angle.cosine, angle.sine,
                         canonical(setting.parameters[angle.parameter].domain));
   }

@@ -99,14 +99,14 @@ class ForceColumns {
 
 }  // namespace
 
-bool plainly_determine_forces(const PaperScene& scene, const PlainSigns& signs) {
+bool plainly_determine_forces(const Family& scene, const PlainSigns& signs) {
   const Mechanism& mechanism = *scene.mechanism;
   ForceColumns::Coefficients coefficients;
   for (const MechanismEquation& equation : mechanism.equations) {
     std::vector<Expression>& row = coefficients.emplace_back();
     for (std::size_t i = mechanism.accelerations; i < mechanism.unknowns.size(); ++i) {
       const Expression& e = equation.form.coefficients[i];
-      row.push_back(e ? scene.in_paper(e) : make_number(0));
+      row.push_back(e ? scene.in_family(e) : make_number(0));
     }
   }
   try {

@@ -73,7 +73,7 @@ std::string MechanicsWriter::number(const Expression& of_mechanism) const {
     const auto found = names_.find(symbol);
     return found == names_.end() ? nullptr : make_symbol(found->second);
   });
-  const bool defined = signs_.defined(setting_.in_paper(of_mechanism));
+  const bool defined = signs_.defined(setting_.in_family(of_mechanism));
   const auto text = number_text(renamed, [&](const Expression& e) { return defined || has_no_division(e); });
   complete_ = complete_ && text;
   return text.value_or("0");

@@ -5,7 +5,7 @@
 namespace slipproof {
 
 PlainSigns::PlainSigns(const Setting& setting, Reading reading) : reading_(reading), names_(setting) {
-  for (const Parameter& parameter : setting.parameters) {
+  for (const FreeParameter& parameter : setting.parameters) {
     if (parameter.domain) add_fact(parameter.domain);
   }
 }

@@ -87,10 +87,10 @@ std::string SettingWriter::text(const Expression& truth) {
 
 std::vector<std::string> SettingWriter::parameter_names() const {
   std::vector<std::string> names;
-  for (const Parameter& parameter : setting_.parameters) {
+  for (const FreeParameter& parameter : setting_.parameters) {
     if (!parameter.angle) names.push_back(parameter.symbol);
   }
-  for (const PaperAngle& angle : setting_.angles) names.insert(names.end(), {angle.cosine, angle.sine});
+  for (const FreeAngle& angle : setting_.angles) names.insert(names.end(), {angle.cosine, angle.sine});
   if (!setting_.force.symbol.empty()) names.push_back(setting_.force.symbol);
   return names;
 }
@@ -105,9 +105,9 @@ std::string SettingWriter::variables() const {
 }
 
 std::vector<Expression> SettingWriter::physical() {
-  const Setting::PointConditions conditions = setting_.point_conditions();
+  const Family::PointConditions conditions = setting_.point_conditions();
   std::vector<Expression> result;
-  for (const PaperAngle& angle : setting_.angles) {
+  for (const FreeAngle& angle : setting_.angles) {
     const Expression c = make_power(make_symbol(angle.cosine), 2), s = make_power(make_symbol(angle.sine), 2);
     result.push_back(make_comparison({make(Operation::add, {c, s}), make_number(1)}, {Relation::equal}));
   }
@@ -186,7 +186,7 @@ std::string SettingWriter::domain(bool with_force, const std::string& parameter,
     const bool joined = parts.back().find(" or ") != std::string::npos;
     if (joined) parts.back() = "{" + parts.back() + "}";
   };
-  for (const Parameter& given : setting_.parameters) add(given.domain);
+  for (const FreeParameter& given : setting_.parameters) add(given.domain);
   for (const Expression& condition : physical()) add(condition);
   if (with_force) add(setting_.force.domain);
   return parts.empty() ? "0 = 0" : fmt::format("{}", fmt::join(parts, " and "));
@@ -197,7 +197,7 @@ bool SettingWriter::is_bounded(const std::string& parameter) const {
     const auto names = symbols(e);
     return std::find(names.begin(), names.end(), parameter) != names.end();
   };
-  for (const Parameter& given : setting_.parameters) {
+  for (const FreeParameter& given : setting_.parameters) {
     const Expression& domain = given.domain;
     if (!has(domain)) continue;
     const bool lower_end =

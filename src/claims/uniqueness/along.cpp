@@ -2,21 +2,15 @@
 
 #include <algorithm>
 #include <set>
-#include <stdexcept>
 
-#include "claims/lines/critical.hpp"
-#include "claims/lines/line_mechanism.hpp"
-#include "claims/uniqueness/scene_setting.hpp"
 #include "contact/problem/every_push.hpp"
 #include "mechanics/kernel/motions_over_loads.hpp"
+#include "mechanics/lines/line_mechanism.hpp"
+#include "mechanics/lines/scene_line.hpp"
 
 namespace slipproof {
 
 namespace {
-
-bool alike(const LoadsApart& x, const LoadsApart& y) {
-  return x.motions == y.motions && x.continuum == y.continuum;
-}
 
 /// Joins neighbours that are alike to one interval.
 std::vector<LoadsApart> apart_of(const std::vector<LoadCell>& cells) {
@@ -25,7 +19,7 @@ std::vector<LoadsApart> apart_of(const std::vector<LoadCell>& cells) {
   for (const LoadCell& cell : cells) {
     LoadsApart here{cell.loads, cell.motions.size(), !cell.continua.empty()};
     const bool apart = here.motions != 1 || here.continuum;
-    if (apart && joins && alike(result.back(), here)) {
+    if (apart && joins && here.is_like(result.back())) {
       ForceInterval& loads = result.back().loads;
       loads =
           ForceInterval::between(loads.lower(), loads.lower_closed(), here.loads.upper(), here.loads.upper_closed());
@@ -37,91 +31,54 @@ std::vector<LoadsApart> apart_of(const std::vector<LoadCell>& cells) {
   return result;
 }
 
-/// The same for a problem without a load, where all loads are alike.
-std::vector<LoadsApart> apart_without_load(const FrictionProblem& problem) {
-  const MotionsAtLoad found = motions_of(problem, std::nullopt);
-  if (found.motions.size() == 1 && found.continua.empty()) return {};
-  return {{ForceInterval(), found.motions.size(), !found.continua.empty()}};
+/// Without a load all loads are alike.
+std::vector<LoadCell> all_cells(const FrictionProblem& problem) {
+  if (problem.has_load) return motions_over_loads(problem)->cells();
+  return {cell_of(motions_of(problem, std::nullopt))};
 }
 
-/// A scene with one parameter free.
-class SceneLine {
+/// A scene with one parameter free, at every load.
+class MotionsAlong {
  public:
-  SceneLine(const MechanismScene& scene, const std::string& parameter)
-      : scene_(scene), setting_(setting_along(scene, parameter)), compiled_(setting_), maker_(scene.mechanism) {
-    if (mode_count(setting_.kinds()) > static_cast<double>(max_critical_modes)) {
-      throw std::invalid_argument(
-          "found more than " + std::to_string(max_critical_modes) +
-          " contact modes, expected fewer: where the motions of two of them meet takes too long");
-    }
-    modes_ = modes_of(setting_.kinds());
-    const auto& all = scene.mechanism.parameters;
-    index_ = static_cast<std::size_t>(
-        std::find_if(all.begin(), all.end(), [&](const auto& p) { return p.symbol == parameter; }) - all.begin());
-  }
+  MotionsAlong(const MechanismScene& scene, const std::string& parameter)
+      : line_(scene, parameter, SceneLine::Load::every, max_critical_modes, "where the motions of two of them meet") {}
 
-  const Rational& own() const { return scene_.values.parameters[index_]; }
+  const Rational& own() const { return line_.own(); }
 
   /// Throws NoValue. What is known of every push, where contacts are redundant, is for one value only: ranges of the
   /// parameter end where mode determinants vanish, not where pairs of modes begin to differ.
-  MotionsAtParameter motions(const Rational& x, bool of_every_push = false) const {
-    const FrictionProblem problem = without_equations(maker_.problem(values(x)));
+  MotionsAtParameter at_own() const {
+    return motions(line_.family().maker().problem(line_.scene().values(own())), true);
+  }
+
+  std::vector<ParameterCell> cells() const {
+    const std::set<IntegerPolynomial> vanishing = determinants();
+    const LinePoints points = line_.points(own(), vanishing);
+    std::vector<ParameterCell> result;
+    for (LineCell& cell : line_cells(points.roots, points.part)) {
+      auto motions = cell.sample ? at(*cell.sample) : std::nullopt;
+      const bool end =
+          cell.sample && cell.is_point() && (cell.sample == points.part.lower || cell.sample == points.part.upper);
+      if (motions || !end) result.push_back({std::move(cell), std::move(motions)});
+    }
+    conclude(result, real_roots(vanishing, points.part));
+    return result;
+  }
+
+ private:
+  static MotionsAtParameter motions(const FrictionProblem& with_equations, bool of_every_push) {
+    const FrictionProblem problem = without_equations(with_equations);
     MotionsAtParameter result;
-    result.apart = problem.has_load ? apart_of(motions_over_loads(problem)->cells()) : apart_without_load(problem);
+    result.apart = apart_of(all_cells(problem));
     if (const auto contacts = contact_problem(problem)) {
       result.for_every_q = of_every_push ? for_every_push(*contacts) : for_every_load(*contacts);
     }
     return result;
   }
 
-  std::vector<ParameterCell> cells() const {
-    const std::set<IntegerPolynomial> vanishing = determinants(modes_);
-    const LinePoints points = critical_points(vanishing);
-    const std::vector<RealRoot>& roots = points.roots;
-    const std::vector<Rational> inside = cell_points(roots, points.part);
-    const auto end = [](const std::optional<Rational>& x) {
-      return x ? std::optional(RealRoot{*x, *x}) : std::nullopt;
-    };
-    std::vector<ParameterCell> result;
-    const auto add = [&](std::optional<RealRoot> lower, std::optional<RealRoot> upper, std::optional<Rational> sample) {
-      result.push_back({std::move(lower), std::move(upper), sample, sample ? at(*sample) : std::nullopt});
-    };
-    const auto add_end = [&](const std::optional<Rational>& x) {
-      if (x && at(*x)) add(end(x), end(x), x);
-    };
-    add_end(points.part.lower);
-    for (std::size_t i = 0; i < inside.size(); ++i) {
-      const auto lower = i == 0 ? end(points.part.lower) : std::optional(roots[i - 1]);
-      add(lower, i == roots.size() ? end(points.part.upper) : std::optional(roots[i]), inside[i]);
-      if (i == roots.size()) break;
-      add(roots[i], roots[i], roots[i].is_rational() ? std::optional(roots[i].lower) : std::nullopt);
-    }
-    add_end(points.part.upper);
-    conclude(result, real_roots(vanishing, points.part));
-    return result;
-  }
-
- private:
-  MechanismValues values(const Rational& x) const {
-    MechanismValues changed = scene_.values;
-    changed.parameters[index_] = x;
-    return changed;
-  }
-
   std::optional<MotionsAtParameter> at(const Rational& x) const {
-    if (!maker_.broken(values(x)).empty()) return std::nullopt;
-    try {
-      return motions(x);
-    } catch (const NoValue&) {
-      return std::nullopt;
-    }
-  }
-
-  LinePoints critical_points(const std::set<IntegerPolynomial>& beside) const {
-    ClaimParts parts;
-    parts.modes = modes_;
-    parts.modes_meet = true;
-    return points_on({{Rational(0)}, {Rational(1)}, own()}, compiled_, parts, beside);
+    const auto problem = line_.scene().problem(x);
+    return problem ? std::optional(motions(*problem, false)) : std::nullopt;
   }
 
   /// Concludes about irrational values between neighbours that have one motion for every q.
@@ -139,49 +96,44 @@ class SceneLine {
   }
 
   /// The mode determinants, each times factors that are critical anyway.
-  std::set<IntegerPolynomial> determinants(const std::vector<MechanismMode>& modes) const {
+  std::set<IntegerPolynomial> determinants() const {
+    const CompiledFamily& family = line_.family();
     CriticalSet found;
-    LineEvaluator along(compiled_.scope(), {.found = &found, .here = own()});
-    along.set(CompiledSetting::parameter_slot(0), LineFunction::linear(0, 1));
-    along.set(CompiledSetting::force_slot(), LineFunction::force());
-    const LineMechanism mechanism(compiled_, along);
+    LineEvaluator along = evaluator_along(line_.line(own()), family, {.found = &found, .here = own()});
+    const LineMechanism mechanism(family, along);
     std::set<IntegerPolynomial> result;
     if (!mechanism.has_value()) return result;
-    for (const MechanismMode& mode : modes) {
+    for (const MechanismMode& mode : line_.modes()) {
       const std::vector<PolynomialRow> equations = mechanism.equations(mode);
-      result.insert(equations.size() == compiled_.unknowns() ? determinant(equations) : 0);
+      result.insert(equations.size() == family.unknowns() ? determinant(equations) : 0);
     }
     return result;
   }
 
-  const MechanismScene& scene_;
-  const Setting setting_;
-  const CompiledSetting compiled_;
-  const ProblemMaker maker_;
-  std::vector<MechanismMode> modes_;
-  std::size_t index_ = 0;
+  const SceneLine line_;
 };
 
 }  // namespace
 
-std::optional<RealRoot> UniquenessAlong::first_apart() const {
-  const auto apart = [](const ParameterCell& cell) { return cell.motions && !cell.motions->apart.empty(); };
-  const auto found = std::find_if(cells.begin(), cells.end(), apart);
+std::optional<RealRoot> UniquenessAlong::first_where(bool (*holds)(const MotionsAtParameter&)) const {
+  const auto found =
+      std::ranges::find_if(cells, [&](const ParameterCell& cell) { return cell.motions && holds(*cell.motions); });
   return found == cells.end() ? std::nullopt : found->lower;
+}
+
+std::optional<RealRoot> UniquenessAlong::first_apart() const {
+  return first_where([](const MotionsAtParameter& motions) { return !motions.apart.empty(); });
 }
 
 std::optional<RealRoot> UniquenessAlong::first_apart_for_some_q() const {
-  const auto apart = [](const ParameterCell& cell) {
-    return cell.motions && cell.motions->for_every_q &&
-           cell.motions->for_every_q->verdict == EveryLoad::Verdict::not_unique;
-  };
-  const auto found = std::find_if(cells.begin(), cells.end(), apart);
-  return found == cells.end() ? std::nullopt : found->lower;
+  return first_where([](const MotionsAtParameter& motions) {
+    return motions.for_every_q && motions.for_every_q->verdict == EveryLoad::Verdict::not_unique;
+  });
 }
 
 UniquenessAlong uniqueness_along(const MechanismScene& scene, const std::string& parameter) {
-  const SceneLine line(scene, parameter);
-  return {parameter, line.own(), line.motions(line.own(), true), line.cells()};
+  const MotionsAlong line(scene, parameter);
+  return {parameter, line.own(), line.at_own(), line.cells()};
 }
 
 }  // namespace slipproof

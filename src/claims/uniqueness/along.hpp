@@ -1,7 +1,7 @@
 // Finds exactly for which values of a parameter of a scene each load has one motion.
 //
 // The parameter, usually the coefficient of friction, runs along a line. The places where the answer can change are
-// known exactly (claims/lines/critical.hpp), and so are the zeros of the mode determinants
+// known exactly (mechanics/lines/critical.hpp), and so are the zeros of the mode determinants
 // (contact/problem/every_load.hpp). Between two such values nothing changes, so one rational number there gives the
 // answer for all.
 #pragma once
@@ -24,6 +24,7 @@ struct LoadsApart {
   bool continuum = false;
 
   bool none() const { return motions == 0 && !continuum; }
+  bool is_like(const LoadsApart& other) const { return motions == other.motions && continuum == other.continuum; }
 };
 
 /// What is found at one value of the parameter.
@@ -33,15 +34,11 @@ struct MotionsAtParameter {
 };
 
 /// A value of the parameter, or an open interval of values that are alike.
-struct ParameterCell {
-  std::optional<RealRoot> lower, upper;  ///< both the same for a single value; nothing: no end
-  std::optional<Rational> sample;        ///< nothing at an irrational value
+struct ParameterCell : LineCell {
   /// The result at the sample; nothing if the sample is outside the domain. At an irrational value, the result follows
   /// from its neighbours: if both have one motion for every q and no mode determinant vanishes between them, so does
   /// the value. Nothing if this does not decide it, because the value itself is not examined.
   std::optional<MotionsAtParameter> motions;
-
-  bool is_point() const { return lower && upper && lower->lower == upper->lower && lower->upper == upper->upper; }
 };
 
 struct UniquenessAlong {
@@ -55,6 +52,9 @@ struct UniquenessAlong {
   std::optional<RealRoot> first_apart() const;
   /// The same for other pushes: the least value at which, or directly above which, not every q has one motion.
   std::optional<RealRoot> first_apart_for_some_q() const;
+
+ private:
+  std::optional<RealRoot> first_where(bool (*holds)(const MotionsAtParameter&)) const;
 };
 
 /// The largest number of modes that are followed along a line.

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "claims/uniqueness/motion_changes.hpp"
 #include "contact/problem/every_load.hpp"
+#include "mechanics/lines/motion_changes.hpp"
 #include "mechanics/scene/solved_mechanism.hpp"
 
 namespace slipproof {

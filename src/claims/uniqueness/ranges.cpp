@@ -16,11 +16,7 @@ auto said_of_every_q(const MotionsAtParameter& motions) {
 }
 
 bool alike(const MotionsAtParameter& x, const MotionsAtParameter& y) {
-  const auto same = [](const LoadsApart& a, const LoadsApart& b) {
-    return a.motions == b.motions && a.continuum == b.continuum;
-  };
-  return std::equal(x.apart.begin(), x.apart.end(), y.apart.begin(), y.apart.end(), same) &&
-         said_of_every_q(x) == said_of_every_q(y);
+  return std::ranges::equal(x.apart, y.apart, &LoadsApart::is_like) && said_of_every_q(x) == said_of_every_q(y);
 }
 
 }  // namespace

@@ -55,14 +55,14 @@ std::optional<std::vector<Rational>> values_of(const Setting& setting, const Nam
     return found == numbers.end() ? nullptr : &found->second;
   };
   std::vector<Rational> values;
-  for (const Parameter& parameter : setting.parameters) {
+  for (const FreeParameter& parameter : setting.parameters) {
     if (!parameter.angle) {
       const Rational* value = number(parameter.symbol);
       if (value == nullptr) return std::nullopt;
       values.push_back(*value);
       continue;
     }
-    const PaperAngle& angle = setting.angles[*parameter.angle];
+    const FreeAngle& angle = setting.angles[*parameter.angle];
     const Rational *cosine = number(angle.cosine), *sine = number(angle.sine);
     if (cosine == nullptr || sine == nullptr || *cosine == -1) return std::nullopt;
     values.push_back(*sine / (1 + *cosine));
@@ -75,8 +75,8 @@ std::optional<std::vector<Rational>> values_of(const Setting& setting, const Nam
 void judge_at(const PaperTasks& tasks, const ClaimTask& task, const NamedValues& numbers, Tally& tally) {
   const CompiledSetting& setting = tasks.setting_of(task);
   auto values = values_of(tasks.file.settings[tasks.claim_of(task).setting], numbers);
-  if (!values || !in_domain(setting, *values)) return;
-  const auto sample = SolvedSample::make(setting, *std::move(values));
+  if (!values) return;
+  const auto sample = SolvedSample::in_domain(setting, *std::move(values));
   if (!sample) return;
   const Judgement j = judge(tasks.file, tasks.compiled, task.claim, task.reading, *sample);
   tally.add(j, setting, sample->values());

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "claims/judge/tally.hpp"
-#include "claims/lines/line.hpp"
 #include "claims/verify/paper_tasks.hpp"
+#include "mechanics/lines/line.hpp"
 
 namespace slipproof {
 

@@ -79,8 +79,8 @@ class Sliders {
       const bool is_load = value["kind"] == "load";
       MechanismAxes axes;
       axes.x = is_load ? usual_parameter(scene_) : symbol;
-      const PlaneColumns columns(scene_, find_across(scene_, axes.x));
-      const AxisChoice choice(columns, scene_, axes);
+      const FreedScene freed(scene_, find_symbol(scene_, axes.x), FreedScene::Tied::follow);
+      const AxisChoice choice(freed, scene_, axes);
       const Axis across = choice.across();
       value["range"] = axis_json(is_load ? choice.up(across).axis : across);
     } catch (const std::invalid_argument&) {

@@ -5,10 +5,30 @@
 
 namespace slipproof {
 
+namespace {
+
+std::vector<MechanismMode> joined(std::vector<MechanismMode> modes, const std::vector<MechanismMode>& more) {
+  modes.insert(modes.end(), more.begin(), more.end());
+  return modes;
+}
+
+}  // namespace
+
 std::vector<MechanismMode> MotionAtLoad::all_modes() const {
-  std::vector<MechanismMode> all = modes;
-  all.insert(all.end(), boundary_modes.begin(), boundary_modes.end());
-  return all;
+  return joined(modes, boundary_modes);
+}
+
+std::vector<MechanismMode> MotionOverLoads::all_modes() const {
+  return joined(modes, boundary_modes);
+}
+
+LoadCell cell_of(const MotionsAtLoad& found) {
+  LoadCell cell;
+  for (const MotionAtLoad& motion : found.motions) {
+    cell.motions.push_back({motion.modes, motion.boundary_modes, {}, {}, motion.continua});
+  }
+  for (const ContinuumAtLoad& continuum : found.continua) cell.continua.push_back(continuum.mode);
+  return cell;
 }
 
 std::vector<MechanismMode> modes_in(const MotionsAtLoad& found, const ContinuumAtLoad& continuum) {

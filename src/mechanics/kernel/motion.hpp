@@ -78,6 +78,9 @@ struct MotionOverLoads {
   std::vector<Affine<Rational>> accelerations;          ///< of the load
   std::vector<std::optional<Affine<Rational>>> forces;  ///< nothing where one is undetermined
   std::vector<MechanismMode> continua;                  ///< modes of the continua that contain it
+
+  /// Those of both lists.
+  std::vector<MechanismMode> all_modes() const;
 };
 
 /// Loads with the same motions: a point, or an open interval.
@@ -86,5 +89,8 @@ struct LoadCell {
   std::vector<MotionOverLoads> motions;
   std::vector<MechanismMode> continua;
 };
+
+/// What is found at one load, or in a problem without one, as a cell of all loads; without the numbers.
+LoadCell cell_of(const MotionsAtLoad& found);
 
 }  // namespace slipproof

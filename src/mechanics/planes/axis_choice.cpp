@@ -27,7 +27,7 @@ void expect_order(const std::string& symbol, const Rational& from, const Rationa
 }  // namespace
 
 Axis AxisChoice::across() const {
-  const AcrossVariable& variable = columns_.across();
+  const FreeSymbol& variable = freed_.free();
   Axis axis;
   axis.symbol = variable.symbol;
   axis.is_angle = variable.angle.has_value();
@@ -42,11 +42,11 @@ Axis AxisChoice::across() const {
 }
 
 AxisChoice::Up AxisChoice::up(const Axis& across) const {
-  const MechanismLoad& load = *columns_.mechanism().load;
+  const MechanismLoad& load = *freed_.mechanism().load;
   Axis axis;
   axis.symbol = load.symbol;
   axis.unit = load.unit;
-  const auto problem = columns_.problem(typical(across));
+  const auto problem = freed_.problem(typical(across));
   const ForceInterval domain = problem ? problem->load_domain : ForceInterval();
   const std::vector<Rational> all = changes(problem);
   const Rational reach = this->reach(all);
@@ -78,7 +78,7 @@ AxisChoice::Up AxisChoice::up(const Axis& across) const {
 }
 
 Rational AxisChoice::end(const std::string& symbol, const Rational& given) const {
-  if (!columns_.across().angle) return given;
+  if (!freed_.free().angle) return given;
   if (abs(given) < 180) {
     const MechanismValues::Circle point = angle_from_degrees(given).point;
     return Rational(point.sine / (1 + point.cosine));
@@ -88,14 +88,14 @@ Rational AxisChoice::end(const std::string& symbol, const Rational& given) const
 }
 
 AxisChoice::Ends AxisChoice::angle_range() const {
-  const auto own = columns_.own();
+  const auto own = freed_.own();
   if (!own) return {Rational(-1), Rational(1)};
   constexpr int steps = 32;
   const Rational far = std::max(Rational(1), two_digits(2 * abs(*own)));
   Rational from = -far, to = far;
   for (int i = -steps; i <= steps; ++i) {
     const Rational x = far * Rational(i, steps);
-    if (columns_.contains(x)) continue;
+    if (freed_.contains(x)) continue;
     if (x < *own) from = x;
     if (x > *own && x < to) to = x;
   }
@@ -103,8 +103,8 @@ AxisChoice::Ends AxisChoice::angle_range() const {
 }
 
 AxisChoice::Ends AxisChoice::parameter_range(const std::string& symbol) const {
-  const Rational own = *columns_.own(), size = own.is_zero() ? Rational(1, 2) : Rational(abs(own));
-  const bool down = own < 0 || columns_.contains(-size), up = own > 0 || columns_.contains(size);
+  const Rational own = *freed_.own(), size = own.is_zero() ? Rational(1, 2) : Rational(abs(own));
+  const bool down = own < 0 || freed_.contains(-size), up = own > 0 || freed_.contains(size);
   if (!down && !up && !(wanted_.x_from && wanted_.x_to)) {
     throw std::invalid_argument(fmt::format("found {} = 0 and no range, expected a range of {}", symbol, symbol));
   }
@@ -115,26 +115,26 @@ void AxisChoice::expect_inside(const Axis& axis) const {
   constexpr int steps = 64;
   bool before = false;
   for (int i = 0; i <= steps; ++i) {
-    const bool here = columns_.problem(axis.from + (axis.to - axis.from) * Rational(i, steps)).has_value();
+    const bool here = freed_.problem(axis.from + (axis.to - axis.from) * Rational(i, steps)).has_value();
     if (here && before) return;
     before = here;
   }
   std::string condition;
   for (int i = 0; i <= steps && condition.empty(); ++i) {
-    condition = columns_.broken(axis.from + (axis.to - axis.from) * Rational(i, steps));
+    condition = freed_.broken(axis.from + (axis.to - axis.from) * Rational(i, steps));
   }
   throw std::invalid_argument("no values side by side of " + axis.symbol + " in its range are in the domain" +
                               (condition.empty() ? "" : ", expected " + condition));
 }
 
 Rational AxisChoice::typical(const Axis& axis) const {
-  const auto own = columns_.own();
+  const auto own = freed_.own();
   if (own && axis.from <= *own && *own <= axis.to) return *own;
   constexpr int steps = 32;
   const Rational middle = (axis.from + axis.to) / 2, step = (axis.to - axis.from) / (2 * steps);
   for (int i = 0; i <= steps; ++i) {
     for (const Rational& x : {Rational(middle + step * i), Rational(middle - step * i)}) {
-      if (columns_.problem(x)) return x;
+      if (freed_.problem(x)) return x;
     }
   }
   return middle;

@@ -1,8 +1,8 @@
 // The axes of a plane: what is asked for, and where nothing is, what shows the scene.
 #pragma once
 
+#include "mechanics/family/freed_scene.hpp"
 #include "mechanics/planes/mechanism_plane.hpp"
-#include "mechanics/planes/plane_columns.hpp"
 
 namespace slipproof {
 
@@ -10,8 +10,8 @@ namespace slipproof {
 /// is made of must outlive it.
 class AxisChoice {
  public:
-  AxisChoice(const PlaneColumns& columns, const MechanismScene& scene, const MechanismAxes& wanted)
-      : columns_(columns), scene_(scene), wanted_(wanted) {}
+  AxisChoice(const FreedScene& freed, const MechanismScene& scene, const MechanismAxes& wanted)
+      : freed_(freed), scene_(scene), wanted_(wanted) {}
 
   Axis across() const;
 
@@ -44,7 +44,7 @@ class AxisChoice {
   /// How far from 0 the loads go that are shown.
   Rational reach(std::vector<Rational> changes) const;
 
-  const PlaneColumns& columns_;
+  const FreedScene& freed_;
   const MechanismScene& scene_;
   const MechanismAxes& wanted_;
 };

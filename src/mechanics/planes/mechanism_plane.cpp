@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "base/number/format.hpp"
+#include "mechanics/kernel/motions_over_loads.hpp"
 #include "mechanics/planes/axis_choice.hpp"
-#include "mechanics/planes/plane_columns.hpp"
 #include "mechanics/planes/plane_words.hpp"
 #include "mechanics/points/degrees.hpp"
 
@@ -17,9 +17,9 @@ namespace slipproof {
 
 namespace {
 
-std::string note_of(const PlaneColumns& columns, const MechanismScene& scene, const Axis& across) {
+std::string note_of(const FreedScene& freed, const MechanismScene& scene, const Axis& across) {
   std::string note;
-  const auto followers = columns.followers(across.from, across.to);
+  const auto followers = freed.followers(across.from, across.to);
   if (!followers.empty()) {
     note = fmt::format("With {}, {} changes as the domain asks.", across.symbol, fmt::join(followers, ", "));
   }
@@ -60,9 +60,9 @@ Plane mechanism_plane(const MechanismScene& scene, const MechanismAxes& axes, st
     throw std::invalid_argument("the mechanism " + scene.mechanism.name +
                                 " has no load, expected one, or a parameter that takes its place");
   }
-  const auto columns =
-      std::make_shared<const PlaneColumns>(scene, find_across(scene, axes.x.empty() ? usual_parameter(scene) : axes.x));
-  const AxisChoice choice(*columns, scene, axes);
+  const auto freed = std::make_shared<const FreedScene>(
+      scene, find_symbol(scene, axes.x.empty() ? usual_parameter(scene) : axes.x), FreedScene::Tied::follow);
+  const AxisChoice choice(*freed, scene, axes);
   Plane plane;
   plane.id = std::move(id);
   plane.title = scene.name;
@@ -70,14 +70,20 @@ Plane mechanism_plane(const MechanismScene& scene, const MechanismAxes& axes, st
   AxisChoice::Up up = choice.up(plane.x);
   plane.y = std::move(up.axis);
   plane.finds_domain = plane.joins_alike = true;
-  plane.note = note_of(*columns, scene, plane.x);
+  plane.note = note_of(*freed, scene, plane.x);
   if (!up.beyond.empty() && !axes.y_from && !axes.y_to) plane.note += beyond_words(plane.note, plane.y, up.beyond);
-  const auto own = columns->own();
+  const auto own = freed->own();
   if (scene.load && own && shows(plane.x, *own) && shows(plane.y, *scene.load))
     plane.mark = Plane::Mark{*own, *scene.load, "the scene"};
   tell_of_mechanism(plane, scene.mechanism);
-  plane.solve = [columns](const Rational& x) { return columns->column(x); };
-  plane.numbers = [columns](const Rational& x) { return columns->numbers(x); };
+  plane.solve = [freed](const Rational& x) -> std::optional<PhaseColumn> {
+    auto there = freed->problem(x);
+    if (!there) return std::nullopt;
+    PhaseColumn column;
+    column.cells = motions_over_loads(std::move(*there))->cells(Detail::modes);
+    return column;
+  };
+  plane.numbers = [freed](const Rational& x) { return motions_over_loads(*freed->problem(x))->cells(); };
   return plane;
 }
 

@@ -6,8 +6,7 @@
 namespace slipproof {
 
 std::vector<MechanismMode> modes_in_order(const MotionOverLoads& motion) {
-  std::vector<MechanismMode> modes = motion.modes;
-  modes.insert(modes.end(), motion.boundary_modes.begin(), motion.boundary_modes.end());
+  std::vector<MechanismMode> modes = motion.all_modes();
   std::sort(modes.begin(), modes.end());
   return modes;
 }

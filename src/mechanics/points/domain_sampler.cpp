@@ -131,14 +131,11 @@ std::vector<DomainSampler::Place> DomainSampler::places(const MechanismValues& v
       if (p->degree() > 0) polynomials.insert(IntegerPolynomial::proportional_to(p->coefficients()).primitive());
     }
   }
-  const std::vector<RealRoot> roots = real_roots(polynomials);
-  std::vector<Rational> inside = cell_points(roots);
   std::vector<Place> result;
-  for (std::size_t i = 0; i < inside.size(); ++i) {
-    const auto lower = i == 0 ? std::nullopt : std::optional(roots[i - 1].upper);
-    const auto upper = i == roots.size() ? std::nullopt : std::optional(roots[i].lower);
-    result.push_back({lower, upper, std::move(inside[i])});
-    if (upper && roots[i].is_rational()) result.push_back({upper, upper, *upper});
+  for (LineCell& cell : line_cells(real_roots(polynomials))) {
+    if (!cell.sample) continue;
+    result.push_back({cell.lower ? std::optional(cell.lower->upper) : std::nullopt,
+                      cell.upper ? std::optional(cell.upper->lower) : std::nullopt, std::move(*cell.sample)});
   }
   return result;
 }

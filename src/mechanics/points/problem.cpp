@@ -5,7 +5,7 @@
 #include "base/input/diagnostic.hpp"
 #include "base/number/affine.hpp"
 #include "mechanics/kernel/mode_solver.hpp"
-#include "mechanics/mechanism/assemble.hpp"
+#include "mechanics/mechanism/system.hpp"
 
 namespace slipproof {
 
@@ -14,36 +14,25 @@ namespace {
 /// The forms of one mechanism at one point.
 class ProblemForms {
  public:
-  ProblemForms(const Mechanism& mechanism, Evaluator<Rational>& at) : mechanism_(mechanism), at_(at) {}
+  ProblemForms(const Mechanism& mechanism, Evaluator<Rational>& at) : rows_(mechanism, at) {}
 
-  AffineForm form(const CompiledForm& compiled, const std::string& what) {
-    auto numbers = coefficients(compiled, at_, mechanism_.unknowns.size());
-    if (!numbers) throw NoValue(what + " has no value: it divides by zero");
-    AffineForm result;
-    result.constant = std::move(numbers->back());
-    numbers->pop_back();
-    result.coefficients = std::move(*numbers);
-    return result;
-  }
-
-  AffineForm unit(std::size_t unknown) const {
-    AffineForm result;
-    result.coefficients.assign(mechanism_.unknowns.size() + 1, Rational(0));
-    result.coefficients[unknown] = 1;
-    return result;
-  }
-
+  AffineForm form(const CompiledForm& compiled, const std::string& what) { return valued(rows_.form(compiled, what)); }
+  AffineForm unit(std::size_t unknown) { return valued(rows_.unit(unknown)); }
   AffineForm limit(const Program& friction, std::size_t normal, const std::string& what) {
-    const auto value = at_.number(friction);
-    if (!value.number) throw NoValue(what + " has no value: it divides by zero");
-    AffineForm result = unit(normal);
-    result.coefficients[normal] = *value.number;
-    return result;
+    return valued(rows_.limit(friction, normal, what));
   }
 
  private:
-  const Mechanism& mechanism_;
-  Evaluator<Rational>& at_;
+  AffineForm valued(FormRow<Rational> row) const {
+    const std::string& without = rows_.without_value();
+    if (!without.empty()) throw NoValue(without + " has no value: it divides by zero");
+    AffineForm result{std::move(row.entries.back()), {}};
+    row.entries.pop_back();
+    result.coefficients = std::move(row.entries);
+    return result;
+  }
+
+  RowForms<Rational, FieldOf<Rational>> rows_;
 };
 
 }  // namespace

@@ -20,14 +20,7 @@ std::vector<LoadCell> all_cells(const FrictionProblem& problem) {
   if (problem.has_load) {
     return cells_of(problem, consistent_modes(problem, std::nullopt), Detail::modes);
   }
-  MotionsAtLoad found = motions_of(problem, std::nullopt);
-  LoadCell cell;
-  for (MotionAtLoad& motion : found.motions) {
-    cell.motions.push_back(
-        {std::move(motion.modes), std::move(motion.boundary_modes), {}, {}, std::move(motion.continua)});
-  }
-  for (ContinuumAtLoad& continuum : found.continua) cell.continua.push_back(std::move(continuum.mode));
-  return {std::move(cell)};
+  return {cell_of(motions_of(problem, std::nullopt))};
 }
 
 MotionCount count_of(const LoadCell& cell, bool all_modelled) {

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "mechanics/points/drawn_number.hpp"
+
 namespace slipproof {
 
 namespace {
@@ -10,6 +12,12 @@ enum class Kind : std::uint8_t { ones, integers, fractions, wide, thin };
 constexpr std::array kinds{Kind::ones, Kind::integers, Kind::fractions, Kind::thin, Kind::wide};
 
 using Drawing = DomainSampler::Drawing;
+
+NumberKind number_kind(Kind kind) {
+  constexpr std::array all{NumberKind::ones, NumberKind::integers, NumberKind::fractions, NumberKind::wide,
+                           NumberKind::fractions};
+  return all[static_cast<std::size_t>(kind)];
+}
 
 /// Draws the symbols of one point.
 class SymbolDraw {
@@ -28,17 +36,7 @@ class SymbolDraw {
   }
 
  private:
-  Rational plain(Kind kind) {
-    const int sign = dice_.chance(4) ? -1 : 1;
-    if (kind == Kind::ones && dice_.chance(2)) return 1;
-    if (dice_.chance(10)) return 0;
-    if (kind == Kind::integers) return sign * dice_.number(1, 6);
-    if (kind == Kind::ones) return {sign * dice_.number(1, 3), dice_.number(1, 3)};
-    const int denominator = dice_.number(1, 8);
-    const Rational small(sign * dice_.number(1, 12), denominator);
-    if (kind != Kind::wide || dice_.chance(2)) return small;
-    return small * power_of_two(dice_.number(-20, 20));
-  }
+  Rational plain(Kind kind) { return draw_number(dice_, number_kind(kind)).value(); }
 
   const Rational& any_of(const std::vector<Rational>& values, std::size_t count) {
     return values[static_cast<std::size_t>(dice_.number(0, static_cast<int>(count) - 1))];

@@ -211,7 +211,7 @@ std::vector<std::pair<std::string, Rational>> parameters_of(const Setting& setti
       place.emplace_back(setting.parameters[k].symbol, example.values[k]);
       continue;
     }
-    const PaperAngle& angle = setting.angles[*setting.parameters[k].angle];
+    const FreeAngle& angle = setting.angles[*setting.parameters[k].angle];
     const MechanismValues::Circle point = point_of_tan_half(example.values[k]);
     place.emplace_back(angle.cosine, point.cosine);
     place.emplace_back(angle.sine, point.sine);

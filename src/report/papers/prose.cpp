@@ -19,8 +19,8 @@ std::set<std::string, std::less<>> symbols_of(const ClaimsFile& claims) {
   for (const Setting& setting : claims.settings) {
     for (std::string& quantity : setting.quantities()) symbols.insert(std::move(quantity));
     symbols.insert(setting.force.symbol);
-    for (const Parameter& parameter : setting.parameters) symbols.insert(parameter.symbol);
-    for (const PaperAngle& angle : setting.angles) symbols.insert({angle.cosine, angle.sine});
+    for (const FreeParameter& parameter : setting.parameters) symbols.insert(parameter.symbol);
+    for (const FreeAngle& angle : setting.angles) symbols.insert({angle.cosine, angle.sine});
     for (const Definition& definition : setting.definitions) symbols.insert(definition.symbol);
   }
   return symbols;

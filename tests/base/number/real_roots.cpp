@@ -128,3 +128,32 @@ TEST_CASE("integer polynomials: signs, order and moving") {
   CHECK(exact_quotient(p, t_minus(1)) == polynomial({2, -1, -1}));
   CHECK(gcd(p, t_minus(1)) == t_minus(1));
 }
+
+TEST_CASE("the cells of a line cover its part, each number in one of them, and have their samples inside") {
+  const IntegerPolynomial p = t_minus(Rational(1, 3)) * polynomial({1, 0, -2}) * t_minus(2);  // 1/3, -+sqrt(2), 2
+  for (const LinePart& part :
+       {LinePart{}, LinePart{Rational(-5), Rational(7, 5)}, LinePart{Rational(0), std::nullopt}}) {
+    const std::vector<RealRoot> roots = real_roots(Polynomials{p}, part);
+    const std::vector<LineCell> cells = line_cells(roots, part);
+    const std::size_t ends = (part.lower ? 1U : 0U) + (part.upper ? 1U : 0U);
+    REQUIRE(cells.size() == 2 * roots.size() + 1 + ends);
+    CHECK(cells.front().lower.has_value() == part.lower.has_value());
+    CHECK(cells.back().upper.has_value() == part.upper.has_value());
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const LineCell& cell = cells[i];
+      CHECK(cell.is_point() == (i % 2 == (part.lower ? 0 : 1)));
+      if (i > 0) {
+        REQUIRE(cell.lower);
+        CHECK(cell.lower->upper == cells[i - 1].upper->upper);
+      }
+      if (!cell.is_point()) {
+        REQUIRE(cell.sample);
+        CHECK((!cell.lower || cell.lower->upper < *cell.sample));
+        CHECK((!cell.upper || *cell.sample < cell.upper->lower));
+      } else {
+        CHECK(cell.sample.has_value() == cell.lower->is_rational());
+        if (cell.sample) CHECK(*cell.sample == cell.lower->lower);
+      }
+    }
+  }
+}

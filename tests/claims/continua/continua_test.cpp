@@ -9,7 +9,7 @@
 #include "claims/continua/brute_force.hpp"
 #include "claims/judge/judge.hpp"
 #include "claims/reading/read_claims_file.hpp"
-#include "claims/sampling/solved_sample.hpp"
+#include "mechanics/family/solved_sample.hpp"
 #include "mechanics/scene/solve_mechanism.hpp"
 #include "mechanics/search/found_motions.hpp"
 #include "report/scenes/mechanism_report.hpp"

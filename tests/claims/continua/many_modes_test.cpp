@@ -5,7 +5,7 @@
 
 #include "claims/judge/judge.hpp"
 #include "claims/reading/read_claims_file.hpp"
-#include "claims/sampling/solved_sample.hpp"
+#include "mechanics/family/solved_sample.hpp"
 
 using namespace slipproof;
 

@@ -37,10 +37,10 @@ holds = "g > 0"
 std::string symbols_of(const std::string& setting) {
   const Setting read = parse_claims(paper(setting), "small.toml").settings.front();
   std::string all;
-  for (const Parameter& one : read.parameters) {
+  for (const FreeParameter& one : read.parameters) {
     all += one.symbol + ": " + to_string(one.domain) + " (" + one.meaning + ")" + (one.angle ? " angle" : "") + "\n";
   }
-  for (const PaperAngle& one : read.angles) all += one.name + " " + one.cosine + " " + one.sine + "\n";
+  for (const FreeAngle& one : read.angles) all += one.name + " " + one.cosine + " " + one.sine + "\n";
   for (const auto& [symbol, value] : read.scene) all += symbol + " = " + to_string(value) + "\n";
   return all + read.force.symbol + ": " + to_string(read.force.domain);
 }
@@ -96,7 +96,7 @@ TEST_CASE("domains of the mechanism are told in the paper's symbols") {
       paper("[setting.parameters]\nL = { domain = \"L > 0\", meaning = \"length\" }\n[setting.scene]\nl = \"L/2\"\n"),
       "block-on-incline", "ladder");
   const Setting read = parse_claims(file, "small.toml").settings.front();
-  for (const Parameter& one : read.parameters) {
+  for (const FreeParameter& one : read.parameters) {
     if (one.symbol == "d") CHECK(to_string(one.domain) == "-(L / 2) <= d and d <= L / 2");
     CHECK(one.symbol != "l");
   }

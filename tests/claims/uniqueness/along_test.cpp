@@ -4,7 +4,6 @@
 #include <doctest/doctest.h>
 
 #include "claims/uniqueness/ranges.hpp"
-#include "claims/uniqueness/scene_setting.hpp"
 #include "mechanics/kernel/mode_solver.hpp"
 #include "support/bicycle/mode_table.hpp"
 #include "support/bicycle/motions.hpp"

@@ -1,4 +1,4 @@
-#include "claims/lines/line.hpp"
+#include "mechanics/lines/line.hpp"
 
 #include <doctest/doctest.h>
 
@@ -6,12 +6,13 @@
 #include <utility>
 
 #include "base/expression/parser.hpp"
-#include "claims/lines/critical.hpp"
 #include "claims/mutation/claims_mutants.hpp"
 #include "claims/paper/claim_kind.hpp"
 #include "claims/reading/read_claims_file.hpp"
+#include "claims/sampling/claim_parts.hpp"
 #include "claims/sampling/sampler.hpp"
 #include "claims/verify/verify.hpp"
+#include "mechanics/lines/critical.hpp"
 #include "report/papers/verify_report.hpp"
 #include "support/crew_ranks.hpp"
 #include "support/how_many.hpp"

@@ -180,7 +180,7 @@ TEST_CASE(
   const CompiledClaims compiled(file);
   // b11 = f (h + M1 R) = 3 with R = h = f = M2 = 1. In the order of the parameters: R h b M2 M3 f g sigma J.
   std::vector<Rational> values;
-  for (const Parameter& parameter : file.settings[setting].parameters)
+  for (const FreeParameter& parameter : file.settings[setting].parameters)
     values.emplace_back(parameter.symbol == "b" ? 3 : 1);
   auto sample = SolvedSample::make(compiled.settings[setting], values);
   REQUIRE(sample);

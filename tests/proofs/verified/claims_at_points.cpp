@@ -12,8 +12,8 @@
 #include "claims/mutation/claims_mutants.hpp"
 #include "claims/reading/read_claims_file.hpp"
 #include "claims/sampling/sampler.hpp"
-#include "claims/sampling/solved_sample.hpp"
 #include "claims/statements/canonical_claims.hpp"
+#include "mechanics/family/solved_sample.hpp"
 
 using namespace slipproof;
 
@@ -58,7 +58,7 @@ std::string assignments(const Setting& s, const std::vector<Rational>& values, c
   for (std::size_t i = 0; i < s.parameters.size(); ++i) {
     if (!s.parameters[i].angle) line += fmt::format(" {}={}", s.parameters[i].symbol, values[i].str());
   }
-  for (const PaperAngle& a : s.angles) {
+  for (const FreeAngle& a : s.angles) {
     const Rational& t = values[a.parameter];
     const Rational d = Rational(1) + t * t;
     line += fmt::format(" {}={} {}={}", a.cosine, Rational((Rational(1) - t * t) / d).str(), a.sine,

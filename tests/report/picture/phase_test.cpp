@@ -8,9 +8,10 @@
 
 #include "base/input/diagnostic.hpp"
 #include "base/number/binary64.hpp"
+#include "claims/paper/compiled.hpp"
 #include "claims/planes/claims_plane.hpp"
 #include "claims/reading/read_claims_file.hpp"
-#include "claims/sampling/solved_sample.hpp"
+#include "mechanics/family/solved_sample.hpp"
 #include "mechanics/planes/mechanism_plane.hpp"
 #include "report/phase/axis.hpp"
 #include "report/phase/phase_points.hpp"

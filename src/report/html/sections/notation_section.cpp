@@ -94,7 +94,7 @@ void add_mechanism(const Element& section, const Setting& setting) {
 void add_setting(const Element& section, const Setting& setting) {
   const std::string name = setting.statement.empty() ? setting.id : setting.id + ": " + setting.statement;
   ReportTable table = symbols_table("Symbols, " + name, "domain");
-  for (const Parameter& parameter : setting.parameters) {
+  for (const FreeParameter& parameter : setting.parameters) {
     table.row({symbol_cell(parameter.symbol), parameter.meaning, formula(parameter.domain)});
   }
   if (!setting.force.symbol.empty()) {

@@ -1,4 +1,4 @@
-#include "claims/paper/force_truth.hpp"
+#include "mechanics/family/force_truth.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "claims/lines/critical_set.hpp"
+#include "mechanics/lines/critical_set.hpp"
 
 namespace slipproof {
 

@@ -1,8 +1,8 @@
-#include "claims/lines/line.hpp"
+#include "mechanics/lines/line.hpp"
 
 #include <random>
 
-#include "claims/sampling/claim_parts.hpp"
+#include "mechanics/lines/question.hpp"
 
 namespace slipproof {
 
@@ -35,16 +35,16 @@ Line scaling(const std::vector<Rational>& values, const std::vector<bool>& chose
   return line;
 }
 
-std::vector<bool> parameters_of(const CompiledSetting& setting, const std::vector<const Program*>& programs,
+std::vector<bool> parameters_of(const CompiledFamily& family, const std::vector<const Program*>& programs,
                                 Beside beside) {
   std::vector<const Program*> all = programs;
-  if (beside == Beside::the_bicycle) {
-    for (const Program* program : setting.scene().programs()) all.push_back(program);
+  if (beside == Beside::the_scene) {
+    for (const Program* program : family.scene().programs()) all.push_back(program);
   }
-  std::vector<bool> result(setting.domains().size());
-  for (const std::size_t slot : slots_behind(setting.scope(), all)) {
+  std::vector<bool> result(family.domains().size());
+  for (const std::size_t slot : slots_behind(family.scope(), all)) {
     for (std::size_t k = 0; k < result.size(); ++k) {
-      if (CompiledSetting::parameter_slot(k) == slot) result[k] = true;
+      if (CompiledFamily::parameter_slot(k) == slot) result[k] = true;
     }
   }
   return result;

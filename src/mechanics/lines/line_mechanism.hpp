@@ -1,4 +1,4 @@
-// A mechanism along a line of its setting, and the places where the motions in a mode change.
+// A mechanism along a line of its family, and the places where the motions in a mode change.
 //
 // Along a line the coefficients of the mechanism are rational functions of t. The equations of a mode, multiplied to
 // become polynomials, are eliminated without fractions: first those that all modes share, then those of the mode's
@@ -12,25 +12,30 @@
 #include <optional>
 #include <vector>
 
-#include "claims/lines/critical_set.hpp"
-#include "claims/lines/polynomial_rows.hpp"
-#include "claims/paper/compiled.hpp"
+#include "mechanics/family/compiled_family.hpp"
+#include "mechanics/lines/critical_set.hpp"
+#include "mechanics/lines/line.hpp"
+#include "mechanics/lines/polynomial_rows.hpp"
 #include "mechanics/mechanism/system.hpp"
 
 namespace slipproof {
 
 using LineEvaluator = Evaluator<LineFunction, LineField>;
 
+/// The family's symbols along a line. For a limit, `grows` is the parameter that takes the place of the force.
+LineEvaluator evaluator_along(const Line& line, const CompiledFamily& family, LineField field,
+                              std::optional<std::size_t> grows = std::nullopt);
+
 class LineMechanism {
  public:
-  /// `paper` has the values of the setting's parameters along the line; critical polynomials are added to its field's
+  /// `symbols` has the values of the family's parameters along the line; critical polynomials are added to its field's
   /// set. Both must outlive it.
-  LineMechanism(const CompiledSetting& setting, LineEvaluator& paper);
+  LineMechanism(const CompiledFamily& family, LineEvaluator& symbols);
 
   /// False if a coefficient has no value along the whole line; then there are no motions.
   bool has_value() const { return system_.has_value(); }
-  /// Adds the critical polynomials of a mode. Assigns values in `paper` to the wanted slots of quantities if the force
-  /// determines them. False if the mode has no solution along the whole line, or is skipped because eliminating
+  /// Adds the critical polynomials of a mode. Assigns values in `symbols` to the wanted slots of quantities if the
+  /// force determines them. False if the mode has no solution along the whole line, or is skipped because eliminating
   /// undetermined forces takes too many forms.
   bool add_mode(const MechanismMode& mode, const std::vector<std::size_t>& wanted);
 
@@ -56,8 +61,8 @@ class LineMechanism {
   /// False if there are too many combinations.
   bool add_conditions(Conditions conditions, const std::vector<std::size_t>& free);
 
-  const CompiledSetting& setting_;
-  LineEvaluator& paper_;
+  const CompiledFamily& family_;
+  LineEvaluator& symbols_;
   CriticalSet& found_;
   std::optional<MechanismSystem<LineFunction>> system_;
   LineFunction load_ = LineFunction::force();  ///< over the force variable

@@ -1,4 +1,4 @@
-#include "claims/lines/polynomial_rows.hpp"
+#include "mechanics/lines/polynomial_rows.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -1,4 +1,4 @@
-#include "claims/lines/line_mechanism.hpp"
+#include "mechanics/lines/line_mechanism.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -43,18 +43,29 @@ Affine<IntegerPolynomial> over_force(const PolynomialRow& row) {
 
 }  // namespace
 
-LineMechanism::LineMechanism(const CompiledSetting& setting, LineEvaluator& paper)
-    : setting_(setting), paper_(paper), found_(*paper.field().found) {
-  const CompiledMechanism& compiled = setting.maker().compiled();
-  const CompiledScene& scene = setting.scene();
-  LineEvaluator at(compiled.scope(), paper.field());
-  if (!put_scene(setting, paper, at, [](const LineFunction& value) { return value.without_force(); })) return;
+LineEvaluator evaluator_along(const Line& line, const CompiledFamily& family, LineField field,
+                              std::optional<std::size_t> grows) {
+  LineEvaluator evaluator(family.scope(), std::move(field));
+  for (std::size_t k = 0; k < line.origin.size(); ++k) {
+    evaluator.set(CompiledFamily::parameter_slot(k),
+                  grows == k ? LineFunction::force() : LineFunction::linear(line.origin[k], line.direction[k]));
+  }
+  if (!grows) evaluator.set(CompiledFamily::force_slot(), LineFunction::force());
+  return evaluator;
+}
+
+LineMechanism::LineMechanism(const CompiledFamily& family, LineEvaluator& symbols)
+    : family_(family), symbols_(symbols), found_(*symbols.field().found) {
+  const CompiledMechanism& compiled = family.maker().compiled();
+  const CompiledScene& scene = family.scene();
+  LineEvaluator at(compiled.scope(), symbols.field());
+  if (!put_scene(family, symbols, at, [](const LineFunction& value) { return value.without_force(); })) return;
   if (scene.load) {
-    auto load = paper.number(*scene.load).number;
+    auto load = symbols.number(*scene.load).number;
     if (!load || load->numerator().size() > 2 || load->denominator().size() != 1) return;
     load_ = std::move(*load);
   }
-  system_ = system_of(setting.mechanism(), compiled, setting.kinds(), at);
+  system_ = system_of(family.mechanism(), compiled, family.kinds(), at);
   if (system_) rows_.resize(system_->elements.size());
 }
 
@@ -73,7 +84,7 @@ const SolvedRows& LineMechanism::in_every_mode() {
   if (!in_every_mode_) {
     std::vector<PolynomialRow> rows;
     for (const auto& equation : system_->equations) rows.push_back(to_polynomials(equation, load_, found_).row);
-    in_every_mode_.emplace(std::move(rows), setting_.unknowns(), found_);
+    in_every_mode_.emplace(std::move(rows), family_.unknowns(), found_);
   }
   return *in_every_mode_;
 }
@@ -128,13 +139,13 @@ bool LineMechanism::add_mode(const MechanismMode& mode, const std::vector<std::s
   for (PolynomialRow& condition : conditions) solved.reduce(condition);
   const bool complete = add_conditions(Conditions(std::move(conditions), found_), solved.free());
   for (const std::size_t slot : wanted) {
-    const std::size_t quantity = slot - setting_.quantity_slot(0), first = system_->accelerations.size();
+    const std::size_t quantity = slot - family_.quantity_slot(0), first = system_->accelerations.size();
     auto [value, factor] =
         reduced(quantity < first ? system_->accelerations[quantity] : system_->forces[quantity - first]);
     const IntegerPolynomial denominator = factor * solved.reduce(value);
     const bool determined = std::all_of(value.begin(), value.begin() + static_cast<std::ptrdiff_t>(unknowns),
                                         [](const auto& x) { return x.is_zero(); });
-    if (determined) paper_.set(slot, LineFunction(over_force(value), denominator));
+    if (determined) symbols_.set(slot, LineFunction(over_force(value), denominator));
   }
   return complete;
 }

@@ -1,17 +1,17 @@
-// A straight line through the parameters of a setting.
+// A straight line through the parameters of a family.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "claims/paper/compiled.hpp"
+#include "mechanics/family/compiled_family.hpp"
 
 namespace slipproof {
 
-/// The bicycles origin + t direction for all t, also those outside the domain.
+/// The points origin + t direction for all t, also those outside the domain.
 struct Line {
   std::vector<Rational> origin, direction;  ///< by parameter
-  Rational inside;                          ///< a t at which the bicycle is in the domain, if one is known
+  Rational inside;                          ///< a t at which the point is in the domain, if one is known
 
   std::vector<Rational> at(const Rational& t) const;
 };
@@ -24,14 +24,14 @@ Line through(const std::vector<Rational>& first, const std::vector<Rational>& se
 Line scaling(const std::vector<Rational>& values, const std::vector<bool>& chosen);
 
 /// What parameters may matter for apart from the programs.
-enum class Beside : std::uint8_t { nothing, the_bicycle };
+enum class Beside : std::uint8_t { nothing, the_scene };
 
-/// The parameters on which the truth of a setting's programs depends, also through definitions, and those on which
-/// `beside` depends: everything that the bicycle does.
-std::vector<bool> parameters_of(const CompiledSetting& setting, const std::vector<const Program*>& programs,
+/// The parameters on which the truth of a family's programs depends, also through definitions, and those on which
+/// `beside` depends: everything that the scene does.
+std::vector<bool> parameters_of(const CompiledFamily& family, const std::vector<const Program*>& programs,
                                 Beside beside);
 
-/// Line number `k` for a claim that says something at `bases`, which are all inside the domain. The lines alternate
+/// Line number `k` through `bases`, which are all inside the domain. The lines alternate
 /// between single parameters that matter, lines through two bases, and scalings; each uses another base. Depends only
 /// on `seed` and `k`. Requires at least one base and one parameter that matters.
 Line line_number(std::uint64_t k, std::uint64_t seed, const std::vector<std::vector<Rational>>& bases,

@@ -1,4 +1,4 @@
-#include "claims/lines/line_function.hpp"
+#include "mechanics/lines/line_function.hpp"
 
 #include <algorithm>
 

@@ -1,41 +1,24 @@
-#include "claims/uniqueness/motion_changes.hpp"
+#include "mechanics/lines/motion_changes.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
 
-#include "claims/lines/critical.hpp"
-#include "claims/uniqueness/scene_setting.hpp"
 #include "mechanics/kernel/motions.hpp"
 #include "mechanics/kernel/motions_over_loads.hpp"
+#include "mechanics/lines/scene_line.hpp"
 
 namespace slipproof {
 
 namespace {
 
-MotionsThere motions_there(std::vector<std::vector<MechanismMode>> motions, std::vector<MechanismMode> continua) {
-  std::ranges::sort(motions);
-  std::ranges::sort(continua);
-  return {std::move(motions), std::move(continua)};
-}
-
-std::vector<MechanismMode> joined(std::vector<MechanismMode> modes, const std::vector<MechanismMode>& more) {
-  modes.insert(modes.end(), more.begin(), more.end());
-  return modes;
-}
-
-MotionsThere of_load(const MotionsAtLoad& found) {
-  std::vector<std::vector<MechanismMode>> motions;
-  std::vector<MechanismMode> continua;
-  for (const MotionAtLoad& motion : found.motions) motions.push_back(motion.all_modes());
-  for (const ContinuumAtLoad& continuum : found.continua) continua.push_back(continuum.mode);
-  return motions_there(std::move(motions), std::move(continua));
-}
-
-MotionsThere of_cell(const LoadCell& cell) {
-  std::vector<std::vector<MechanismMode>> motions;
-  for (const MotionOverLoads& motion : cell.motions) motions.push_back(joined(motion.modes, motion.boundary_modes));
-  return motions_there(std::move(motions), cell.continua);
+MotionsThere motions_there(const LoadCell& cell) {
+  MotionsThere there;
+  for (const MotionOverLoads& motion : cell.motions) there.motions.push_back(motion.all_modes());
+  there.continua = cell.continua;
+  std::ranges::sort(there.motions);
+  std::ranges::sort(there.continua);
+  return there;
 }
 
 bool share_a_mode(const std::vector<MechanismMode>& x, const std::vector<MechanismMode>& y) {
@@ -63,7 +46,8 @@ std::vector<MotionChange> along_load(const MechanismScene& scene, const Rational
   for (std::size_t i = 1; i + 1 < cells.size(); ++i) {
     const auto point = cells[i].loads.lower();
     if (point != cells[i].loads.upper() || *point <= from || to <= *point) continue;
-    add_change(changes, {{*point, *point}, of_cell(cells[i - 1]), of_cell(cells[i + 1]), of_cell(cells[i])});
+    add_change(changes,
+               {{*point, *point}, motions_there(cells[i - 1]), motions_there(cells[i + 1]), motions_there(cells[i])});
   }
   return changes;
 }
@@ -71,28 +55,21 @@ std::vector<MotionChange> along_load(const MechanismScene& scene, const Rational
 /// A scene with one parameter free, at its load.
 class ChangesAlong {
  public:
-  ChangesAlong(const MechanismScene& scene, std::string parameter)
-      : scene_(scene), parameter_(std::move(parameter)), setting_(setting_along(scene, parameter_)) {
-    if (const auto& load = scene.mechanism.load) {
-      if (!scene.load) throw std::invalid_argument("the scene has no value of " + load->symbol + ", expected one");
-      setting_.scene[load->symbol] = make_number(*scene.load);
-    }
-    if (mode_count(setting_.kinds()) > static_cast<double>(max_change_modes)) {
-      throw std::invalid_argument("found more than " + std::to_string(max_change_modes) +
-                                  " contact modes, expected fewer: how they change along a parameter takes too long");
-    }
-  }
+  ChangesAlong(const MechanismScene& scene, const std::string& parameter)
+      : scene_(scene),
+        parameter_(parameter),
+        line_(scene, parameter, SceneLine::Load::own, max_change_modes, "how they change along a parameter") {}
 
   std::vector<MotionChange> between(const Rational& from, const Rational& to) const {
-    std::vector<RealRoot> roots = inside(from, to);
-    const std::vector<Rational> points = cell_points(roots, {from, to});
+    const std::vector<LineCell> cells = line_cells(inside(from, to), {from, to});
     std::vector<MotionChange> changes;
-    MotionsThere below = at(points.front());
-    for (std::size_t i = 0; i < roots.size(); ++i) {
-      MotionsThere above = at(points[i + 1]);
+    MotionsThere below = at(*cells[1].sample);
+    for (std::size_t i = 2; i + 1 < cells.size(); i += 2) {
+      const LineCell& change = cells[i];
+      MotionsThere above = at(*cells[i + 1].sample);
       std::optional<MotionsThere> here;
-      if (roots[i].is_rational()) here = at(roots[i].lower);
-      add_change(changes, {std::move(roots[i]), below, above, std::move(here)});
+      if (change.sample) here = at(*change.sample);
+      add_change(changes, {*change.lower, below, above, std::move(here)});
       below = std::move(above);
     }
     return changes;
@@ -100,11 +77,8 @@ class ChangesAlong {
 
  private:
   std::vector<RealRoot> inside(const Rational& from, const Rational& to) const {
-    const CompiledSetting compiled(setting_);
-    ClaimParts parts;
-    parts.modes = modes_of(setting_.kinds());
     std::vector<RealRoot> roots;
-    for (RealRoot& root : points_on({{Rational(0)}, {Rational(1)}, from}, compiled, parts).roots) {
+    for (RealRoot& root : line_.points(from).roots) {
       while (!root.is_rational() &&
              ((root.lower <= from && from <= root.upper) || (root.lower <= to && to <= root.upper)))
         halve(root);
@@ -116,15 +90,15 @@ class ChangesAlong {
   MotionsThere at(const Rational& value) const {
     const MechanismScene there = with_values(scene_, {{parameter_, value}});
     try {
-      return of_load(motions_of(friction_problem(there.mechanism, there.values), there.load));
+      return motions_there(cell_of(motions_of(friction_problem(there.mechanism, there.values), there.load)));
     } catch (const NoValue& error) {
       throw std::invalid_argument(error.what());
     }
   }
 
   const MechanismScene& scene_;
-  std::string parameter_;
-  Setting setting_;
+  const std::string& parameter_;
+  const SceneLine line_;
 };
 
 }  // namespace

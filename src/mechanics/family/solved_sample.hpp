@@ -1,4 +1,4 @@
-// One sample of a setting: its mechanism at a point, all modes solved, and values for the claims' symbols.
+// One sample of a family: its mechanism at a point, all modes solved, and values for the family's symbols.
 #pragma once
 
 #include <memory>
@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/expression/filtered.hpp"
-#include "claims/paper/compiled.hpp"
-#include "claims/paper/force_truth.hpp"
+#include "mechanics/family/compiled_family.hpp"
+#include "mechanics/family/force_truth.hpp"
 #include "mechanics/kernel/motions_over_loads.hpp"
 
 namespace slipproof {
@@ -16,13 +16,15 @@ namespace slipproof {
 /// equals 0.
 using LinearRows = std::vector<std::vector<Rational>>;
 
-/// Modes are solved over the mechanism's load. Claims use the paper's force variable x, where load = offset + slope x.
+/// Modes are solved over the mechanism's load. The family has its own force variable x, where load = offset + slope x.
 /// All results of this class are in x unless stated otherwise. Without a load x is 0. Not shared between threads.
 class SolvedSample {
  public:
   /// Nothing if the sample is not a point of the mechanism: a scene expression or a coefficient is undefined, or the
-  /// point is outside the domain. The setting must outlive the sample.
-  static std::unique_ptr<SolvedSample> make(const CompiledSetting& setting, std::vector<Rational> values);
+  /// point is outside the domain. The family must outlive the sample.
+  static std::unique_ptr<SolvedSample> make(const CompiledFamily& family, std::vector<Rational> values);
+  /// The same, and nothing if a value is outside its own domain, which samplers keep to.
+  static std::unique_ptr<SolvedSample> in_domain(const CompiledFamily& family, std::vector<Rational> values);
 
   const std::vector<Rational>& values() const { return values_; }
   /// The mechanism's own parameters.
@@ -30,11 +32,11 @@ class SolvedSample {
   const FrictionProblem& problem() const { return *problem_; }
   /// All modes over the load. Solved at the first call, since most samples are outside most regions.
   const MotionsOverLoads& motions();
-  /// Solves only the given modes in motions(), for a claim that needs no others. Call before the first motions().
+  /// Solves only the given modes in motions(), where no others are needed. Call before the first motions().
   void only_modes(std::vector<MechanismMode> modes) { only_modes_ = std::move(modes); }
-  /// The same point for another version of its setting, with all that is already solved. The versions may differ in
+  /// The same point for another version of its family, with all that is already solved. The versions may differ in
   /// definitions, but not in parameters, scene or force.
-  std::unique_ptr<SolvedSample> under(const CompiledSetting& other);
+  std::unique_ptr<SolvedSample> under(const CompiledFamily& other);
 
   /// The load at a value of the force variable.
   Rational load(const Rational& x) const { return load_.at(x); }
@@ -55,7 +57,7 @@ class SolvedSample {
   Truth region(const Program& region) { return constants_.truth(region); }
   /// The truth of a statement over all numbers, inside and outside the domain.
   std::vector<TruthCell> over_forces(const Program& statement) {
-    if (!setting_->varies(statement)) return {{ForceInterval(), constants_.truth(statement)}};
+    if (!family_->varies(statement)) return {{ForceInterval(), constants_.truth(statement)}};
     return truth_over_forces(statement, functions_);
   }
   /// The forces in the domain at which a statement is true, and those at which it has no value.
@@ -76,13 +78,13 @@ class SolvedSample {
   }
 
  private:
-  SolvedSample(const CompiledSetting& setting, std::vector<Rational> values);
+  SolvedSample(const CompiledFamily& family, std::vector<Rational> values);
   bool read_scene();
   bool read_load();
   std::vector<LoadCell> cells_in_detail(Detail detail, const std::vector<MechanismMode>& named);
   void put_in_variable(MotionOverLoads& motion) const;
 
-  const CompiledSetting* setting_;
+  const CompiledFamily* family_;
   std::vector<Rational> values_;
   FilteredEvaluator constants_;
   Evaluator<ForceFunction> functions_;

@@ -1,4 +1,4 @@
-#include "claims/sampling/solved_sample.hpp"
+#include "mechanics/family/solved_sample.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -20,19 +20,19 @@ struct FieldAtInfinity : FieldOf<ForceFunction> {
 
 }  // namespace
 
-SolvedSample::SolvedSample(const CompiledSetting& setting, std::vector<Rational> values)
-    : setting_(&setting), values_(std::move(values)), constants_(setting.scope()), functions_(setting.scope()) {
-  constants_.set(CompiledSetting::parameter_slot(0), values_);
+SolvedSample::SolvedSample(const CompiledFamily& family, std::vector<Rational> values)
+    : family_(&family), values_(std::move(values)), constants_(family.scope()), functions_(family.scope()) {
+  constants_.set(CompiledFamily::parameter_slot(0), values_);
   for (std::size_t k = 0; k < values_.size(); ++k) {
-    functions_.set(CompiledSetting::parameter_slot(k), RationalFunction(values_[k]));
+    functions_.set(CompiledFamily::parameter_slot(k), RationalFunction(values_[k]));
   }
-  functions_.set(CompiledSetting::force_slot(), RationalFunction::variable());
+  functions_.set(CompiledFamily::force_slot(), RationalFunction::variable());
 }
 
 bool SolvedSample::read_scene() {
-  const CompiledScene& scene = setting_->scene();
-  point_ = default_values(setting_->mechanism());
-  point_.starts = setting_->starts();
+  const CompiledScene& scene = family_->scene();
+  point_ = default_values(family_->mechanism());
+  point_.starts = family_->starts();
   for (std::size_t i = 0; i < scene.parameters.size(); ++i) {
     point_.given[i] = scene.parameters[i].has_value();
     if (!scene.parameters[i]) continue;
@@ -46,9 +46,9 @@ bool SolvedSample::read_scene() {
     if (!cosine || !sine) return false;
     point_.angles[i] = {std::move(*cosine), std::move(*sine)};
   }
-  if (constants_.truth(setting_->is_scene()) != Truth::yes || !read_load()) return false;
+  if (constants_.truth(family_->is_scene()) != Truth::yes || !read_load()) return false;
   try {
-    problem_ = std::make_shared<const FrictionProblem>(setting_->maker().problem(point_));
+    problem_ = std::make_shared<const FrictionProblem>(family_->maker().problem(point_));
   } catch (const NoValue&) {
     return false;
   }
@@ -56,8 +56,8 @@ bool SolvedSample::read_scene() {
 }
 
 bool SolvedSample::read_load() {
-  if (!setting_->scene().load) return true;
-  const auto number = functions_.number(*setting_->scene().load).number;
+  if (!family_->scene().load) return true;
+  const auto number = functions_.number(*family_->scene().load).number;
   if (!number || !number->divisors().empty()) return false;
   const RationalFunction& load = number->value();
   if (load.numerator().degree() > 1 || load.denominator().degree() > 0) return false;
@@ -65,12 +65,16 @@ bool SolvedSample::read_load() {
   return !load_.beta.is_zero();
 }
 
-std::unique_ptr<SolvedSample> SolvedSample::make(const CompiledSetting& setting, std::vector<Rational> values) {
-  std::unique_ptr<SolvedSample> sample(new SolvedSample(setting, std::move(values)));
+std::unique_ptr<SolvedSample> SolvedSample::make(const CompiledFamily& family, std::vector<Rational> values) {
+  std::unique_ptr<SolvedSample> sample(new SolvedSample(family, std::move(values)));
   if (!sample->read_scene()) return nullptr;
-  sample->domain_ = setting.scene().load ? true_interval(setting.force_domain(), sample->functions_)
-                                         : std::optional(ForceInterval::point(0));
+  sample->domain_ = family.scene().load ? true_interval(family.force_domain(), sample->functions_)
+                                        : std::optional(ForceInterval::point(0));
   return sample;
+}
+
+std::unique_ptr<SolvedSample> SolvedSample::in_domain(const CompiledFamily& family, std::vector<Rational> values) {
+  return slipproof::in_domain(family, values) ? make(family, std::move(values)) : nullptr;
 }
 
 ForceInterval SolvedSample::in_variable(const ForceInterval& forces) const {
@@ -107,7 +111,7 @@ const MotionsOverLoads& SolvedSample::motions() {
   return *motions_;
 }
 
-std::unique_ptr<SolvedSample> SolvedSample::under(const CompiledSetting& other) {
+std::unique_ptr<SolvedSample> SolvedSample::under(const CompiledFamily& other) {
   std::unique_ptr<SolvedSample> sample(new SolvedSample(other, values_));
   motions();
   sample->point_ = point_;
@@ -167,9 +171,9 @@ LinearRows SolvedSample::equations(const std::optional<MechanismMode>& mode) {
 }
 
 Truth SolvedSample::eventually(const Program& statement, std::size_t parameter) const {
-  Evaluator<ForceFunction, FieldAtInfinity> evaluator(setting_->scope());
+  Evaluator<ForceFunction, FieldAtInfinity> evaluator(family_->scope());
   for (std::size_t k = 0; k < values_.size(); ++k) {
-    evaluator.set(CompiledSetting::parameter_slot(k),
+    evaluator.set(CompiledFamily::parameter_slot(k),
                   ForceFunction(k == parameter ? RationalFunction::variable() : RationalFunction(values_[k])));
   }
   return evaluator.truth(statement);
@@ -178,8 +182,8 @@ Truth SolvedSample::eventually(const Program& statement, std::size_t parameter) 
 bool SolvedSample::set_motion(const ModeForms& forms, const std::vector<std::size_t>& slots) {
   bool determined = true;
   for (const std::size_t slot : slots) {
-    if (!setting_->is_quantity(slot)) continue;
-    const AffineForm& form = quantity_form(forms, slot - setting_->quantity_slot(0));
+    if (!family_->is_quantity(slot)) continue;
+    const AffineForm& form = quantity_form(forms, slot - family_->quantity_slot(0));
     if (!is_free_of_unknowns(form)) {
       determined = false;
       continue;

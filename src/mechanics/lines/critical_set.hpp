@@ -1,4 +1,4 @@
-// The polynomials along a line of bicycles whose zeros matter, collected while formulas are evaluated.
+// The polynomials along a line of points whose zeros matter, collected while formulas are evaluated.
 #pragma once
 
 #include <compare>
@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "claims/lines/line_function.hpp"
+#include "mechanics/lines/line_function.hpp"
 
 namespace slipproof {
 

@@ -29,7 +29,7 @@ inline constexpr std::size_t max_change_modes = 256;
 /// The values strictly between `from` and `to` at which there are other motions than directly below or above,
 /// ascending. A motion stays the same as long as one of its modes does: which other modes share it, where forces are
 /// not determined, is no change. Everything else is as in the scene: its load keeps its value, which it must have.
-/// Exact (claims/lines/critical.hpp), but where a mode leaves so many forces open that they are not eliminated, its
+/// Exact (mechanics/lines/critical.hpp), but where a mode leaves so many forces open that they are not eliminated, its
 /// changes may be missed. Throws std::invalid_argument, with a message for people: no such parameter, no value of the
 /// load, too many modes, an interval that is not in the domain.
 std::vector<MotionChange> motion_changes(const MechanismScene& scene, const std::string& parameter,

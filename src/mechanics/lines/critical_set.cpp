@@ -1,4 +1,4 @@
-#include "claims/lines/critical_set.hpp"
+#include "mechanics/lines/critical_set.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -1,4 +1,4 @@
-// A formula along a line of bicycles: a quotient of polynomials in the force variable F whose coefficients are
+// A formula along a line of points: a quotient of polynomials in the force variable F whose coefficients are
 // polynomials in the line's t.
 #pragma once
 

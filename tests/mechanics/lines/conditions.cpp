@@ -7,7 +7,7 @@
 
 #include "base/algebra/linear_program.hpp"
 #include "base/algebra/real_roots.hpp"
-#include "claims/lines/polynomial_rows.hpp"
+#include "mechanics/lines/polynomial_rows.hpp"
 
 using namespace slipproof;
 
