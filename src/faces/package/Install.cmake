@@ -44,8 +44,12 @@ set(optional_libraries "")
 if(PkgConfig::hdf5 IN_LIST linked)
   string(APPEND optional_libraries " hdf5")
 endif()
+set(find_clp "")
+if(Clp::Clp IN_LIST linked)
+  set(find_clp "find_dependency(Clp)")
+endif()
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/slipproofConfig.cmake.in
                               ${PROJECT_BINARY_DIR}/slipproofConfig.cmake INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/slipproofConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/slipproofConfig.cmake ${PROJECT_BINARY_DIR}/slipproofConfigVersion.cmake
-              ${CMAKE_CURRENT_LIST_DIR}/FindFLINT.cmake DESTINATION ${package_dir})
+              ${CMAKE_CURRENT_LIST_DIR}/FindFLINT.cmake ${CMAKE_CURRENT_LIST_DIR}/FindClp.cmake DESTINATION ${package_dir})

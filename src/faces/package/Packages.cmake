@@ -44,7 +44,7 @@ slipproof_package(development libslipproof-dev libdevel " (development)"
                   "This package has slipproof.h, slipproof_record.h for engines to record\ntheir steps with, and the C++ library with its headers.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libslipproof${PROJECT_VERSION_MAJOR} (= ${PROJECT_VERSION})")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS
-    "libgmp-dev, libmpfr-dev, libflint-dev, libfmt-dev, libtbb-dev, libpugixml-dev, libmd-dev, libudunits2-dev, libhdf5-dev")
+    "libgmp-dev, libmpfr-dev, libflint-dev, libfmt-dev, libtbb-dev, libpugixml-dev, libmd-dev, libudunits2-dev, libhdf5-dev, coinor-libclp-dev")
 if(python IN_LIST components)
   list(APPEND CPACK_COMPONENTS_ALL python)
   slipproof_package(python python3-slipproof python " (Python)" "This package has the module for Python.")

@@ -1,0 +1,121 @@
+#include "contact/complete/column_program.hpp"
+
+#ifdef SLIPPROOF_CLP
+
+#include <coin/ClpSimplex.hpp>
+
+namespace slipproof {
+
+/// Columns: two slacks for each row, then the others.
+struct ColumnProgram::Clp {
+  ClpSimplex simplex;
+};
+
+ColumnProgram::ColumnProgram(const std::vector<double>& right_side, const std::vector<bool>& free_rows,
+                             const std::vector<Column>& columns)
+    : clp_(std::make_unique<Clp>()), rows_(right_side.size()) {
+  const std::size_t all = 2 * rows_ + columns.size();
+  std::vector<int> starts{0}, rows;
+  std::vector<double> values, costs(all), lower(all), upper(all, COIN_DBL_MAX);
+  const auto add = [&](int row, double value) {
+    rows.push_back(row);
+    values.push_back(value);
+  };
+  for (std::size_t i = 0; i < rows_; ++i) {
+    for (const double side : {1.0, -1.0}) {
+      costs[starts.size() - 1] = 1;
+      add(static_cast<int>(i), side);
+      starts.push_back(static_cast<int>(rows.size()));
+    }
+  }
+  for (const Column& column : columns) {
+    for (const Entry& entry : column) add(entry.row, entry.value);
+    starts.push_back(static_cast<int>(rows.size()));
+  }
+  std::vector<double> row_lower = right_side, row_upper = right_side;
+  for (std::size_t i = 0; i < rows_; ++i) {
+    if (free_rows[i]) row_lower[i] = -COIN_DBL_MAX, row_upper[i] = COIN_DBL_MAX;
+  }
+  ClpSimplex& simplex = clp_->simplex;
+  simplex.setLogLevel(0);
+  simplex.loadProblem(static_cast<int>(all), static_cast<int>(rows_), starts.data(), rows.data(), values.data(),
+                      lower.data(), upper.data(), costs.data(), row_lower.data(), row_upper.data());
+  simplex.scaling(0);
+  simplex.setMaximumIterations(2000);
+  simplex.createStatus();
+  for (int i = 0; i < static_cast<int>(all); ++i) simplex.setColumnStatus(i, ClpSimplex::atLowerBound);
+  for (std::size_t i = 0; i < rows_; ++i) {
+    const int row = static_cast<int>(i);
+    simplex.setRowStatus(row, free_rows[i] ? ClpSimplex::basic : ClpSimplex::isFixed);
+    if (!free_rows[i]) simplex.setColumnStatus(2 * row + (right_side[i] >= 0 ? 0 : 1), ClpSimplex::basic);
+  }
+}
+
+bool ColumnProgram::solve(double tolerance) {
+  clp_->simplex.setPrimalTolerance(tolerance);
+  clp_->simplex.setDualTolerance(tolerance);
+  clp_->simplex.primal();
+  return clp_->simplex.status() == 0;
+}
+
+void ColumnProgram::set_cost(std::size_t column, double cost) {
+  clp_->simplex.setObjectiveCoefficient(static_cast<int>(2 * rows_ + column), cost);
+}
+
+void ColumnProgram::bound_slacks(double most) {
+  for (int i = 0; i < static_cast<int>(2 * rows_); ++i) {
+    clp_->simplex.setColumnBounds(i, 0, most);
+    clp_->simplex.setObjectiveCoefficient(i, 0);
+  }
+}
+
+double ColumnProgram::least() const {
+  return clp_->simplex.objectiveValue();
+}
+
+double ColumnProgram::value(std::size_t column) const {
+  return clp_->simplex.getColSolution()[2 * rows_ + column];
+}
+
+double ColumnProgram::price(std::size_t row) const {
+  return clp_->simplex.getRowPrice()[row];
+}
+
+}  // namespace slipproof
+
+#else
+
+#include <stdexcept>
+
+namespace slipproof {
+
+struct ColumnProgram::Clp {};
+
+ColumnProgram::ColumnProgram(const std::vector<double>& right_side, const std::vector<bool>&,
+                             const std::vector<Column>&)
+    : rows_(right_side.size()) {
+  throw std::runtime_error("all solutions in space need linear programs, and this build is without Clp");
+}
+
+bool ColumnProgram::solve(double) {
+  return false;
+}
+void ColumnProgram::set_cost(std::size_t, double) {}
+void ColumnProgram::bound_slacks(double) {}
+double ColumnProgram::least() const {
+  return 0;
+}
+double ColumnProgram::value(std::size_t) const {
+  return 0;
+}
+double ColumnProgram::price(std::size_t) const {
+  return 0;
+}
+
+}  // namespace slipproof
+
+#endif
+
+namespace slipproof {
+ColumnProgram::~ColumnProgram() = default;
+}  // namespace slipproof

@@ -1,0 +1,58 @@
+// All solutions of a contact problem, with the proof that there are no others (MATHEMATICS.md, "All solutions").
+#pragma once
+
+#include <functional>
+
+#include "base/number/effort.hpp"
+#include "contact/complete/motion.hpp"
+
+namespace slipproof {
+
+/// A node of the tree of patterns: what closes it, or what it is split into.
+struct PatternNode {
+  enum class End : std::uint8_t {
+    undecided,  ///< nothing: motions may be left in it
+    empty,      ///< multipliers prove that it has no motion
+    motion,     ///< all of its motions are one that is known
+    near,       ///< all of its motions are within some distance of one that is known
+    split
+  };
+  /// Multipliers that prove a lower bound of a form.
+  struct Bound {
+    ContactForm form;
+    std::vector<Rational> y;
+  };
+  ContactPattern pattern;
+  End end = End::undecided;
+  std::vector<Rational> y;      ///< empty
+  std::size_t motion = 0;       ///< motion, near: which
+  std::vector<Bound> bounds;    ///< motion, near
+  std::size_t contact = 0;      ///< split: of which contact
+  std::size_t first_child = 0;  ///< split: children stand side by side
+  std::size_t children = 0;
+};
+
+struct CompleteOptions {
+  Work effort = 20'000'000'000;  ///< about 20 seconds
+  std::size_t most_nodes = 200'000;
+  /// Told of each generation of nodes: how many are open.
+  std::function<void(std::size_t open, std::size_t motions)> progress;
+};
+
+/// In the units of `scaled`.
+struct CompleteSolutions {
+  ScaledContacts scaled;
+  std::vector<SpatialMotion> motions;
+  std::vector<PatternNode> nodes;  ///< the tree, its root first
+  std::size_t programs = 0;        ///< linear programs
+
+  /// Whether no node is undecided: all motions are known.
+  bool complete() const;
+  std::size_t undecided() const;
+};
+
+/// Splits patterns until each is proved empty, or proved to hold one known motion only. The same on any number of
+/// threads.
+CompleteSolutions all_solutions(const ExactContacts& contacts, const CompleteOptions& options = {});
+
+}  // namespace slipproof

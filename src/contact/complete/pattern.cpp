@@ -1,0 +1,135 @@
+#include "contact/complete/pattern.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace slipproof {
+
+Direction Direction::near(double angle, int bits) {
+  const double quarter = std::numbers::pi / 2;
+  const double turns = std::nearbyint(angle / quarter);
+  const auto half_tangent =
+      static_cast<long>(std::nearbyint(std::ldexp(std::tan((angle - turns * quarter) / 2), bits)));
+  const Integer t = half_tangent, one = Integer(1) << static_cast<std::size_t>(bits);
+  const Integer common = gcd(t, one), p = t / common, h = one / common;
+  Direction d{h * h - p * p, 2 * p * h, h * h + p * p};
+  if (!d.x.is_odd() && !d.y.is_odd() && !d.length.is_odd()) d = {d.x / 2, d.y / 2, d.length / 2};
+  for (long turn = std::lround(turns) & 3; turn > 0; --turn) d = {-d.y, d.x, d.length};
+  return d;
+}
+
+double Direction::angle() const {
+  return std::atan2(Rational(y, length).to_double(), Rational(x, length).to_double());
+}
+
+Integer cross(const Direction& a, const Direction& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+namespace {
+
+using Kind = ContactState::Kind;
+
+/// The components of a vector at one contact, in any common scale.
+struct Part {
+  Rational normal;
+  std::array<Rational, 2> tangential;
+
+  bool is_tangential() const { return !tangential[0].is_zero() || !tangential[1].is_zero(); }
+  Rational along(const Direction& d) const { return tangential[0] * Rational(d.x) + tangential[1] * Rational(d.y); }
+};
+
+/// -1: v . u is negative for some u that the state allows; 0: it is never; 1: it is positive for all of them.
+int sign_over_velocities(const ContactState& state, const Part& v) {
+  switch (state.kind) {
+    case Kind::stick:
+      return 0;
+    case Kind::slip: {
+      const int from = v.along(state.from).sign(), to = v.along(state.to).sign();
+      return from < 0 || to < 0 ? -1 : from > 0 && to > 0 ? 1 : 0;
+    }
+    case Kind::closed:
+      return v.is_tangential() ? -1 : 0;
+    default:
+      return v.is_tangential() || v.normal.sign() < 0 ? -1 : 0;
+  }
+}
+
+/// The same of g . r for the forces (1, mu t) with |t| <= 1.
+int sign_over_cone(const Part& g, const Rational& mu) {
+  const Rational &x = g.tangential[0], &y = g.tangential[1];
+  const int order = (g.normal * g.normal).compare(mu * mu * (x * x + y * y));
+  return g.normal.sign() < 0 || order < 0 ? -1 : order > 0 ? 1 : 0;
+}
+
+/// Of g . r for the forces (1, -mu d), d in the arc. Over the whole circle g_T . d is greatest along g_T.
+int sign_over_arc(const ContactState& state, const Part& g, const Rational& mu) {
+  const auto side = [&](const Direction& d) {
+    return (Rational(d.x) * g.tangential[1] - Rational(d.y) * g.tangential[0]).sign();
+  };
+  if (side(state.from) > 0 && side(state.to) < 0) return sign_over_cone(g, mu);
+  const auto at = [&](const Direction& d) { return (g.normal * Rational(d.length) - mu * g.along(d)).sign(); };
+  return std::min(at(state.from), at(state.to));
+}
+
+/// 0 where the state allows r = 0.
+int sign_over_forces(const ContactState& state, const Part& g, const Rational& mu) {
+  if (state.kind == Kind::open) return 0;
+  const int sign = mu.is_zero()               ? g.normal.sign()
+                   : state.kind == Kind::slip ? sign_over_arc(state, g, mu)
+                                              : sign_over_cone(g, mu);
+  return state.kind == Kind::any ? std::min(sign, 0) : sign;
+}
+
+Part part_of(std::span<const Rational> vector, std::size_t normal, std::size_t dimension) {
+  Part result{vector[normal], {}};
+  for (std::size_t t = 1; t < dimension; ++t) result.tangential[t - 1] = vector[normal + t];
+  return result;
+}
+
+/// h + W^T y.
+std::vector<Rational> on_forces(const IntegerContacts& contacts, const ContactForm& form, std::span<const Rational> y) {
+  Integer common = common_denominator(y);
+  std::vector<Integer> sum(y.size());
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    if (y[i].is_zero()) continue;
+    const Integer factor = integer_times(y[i], common);
+    for (std::size_t j = 0; j < y.size(); ++j) sum[j].add_product(factor, contacts.matrix[i][j]);
+  }
+  common *= contacts.scale;
+  std::vector<Rational> g;
+  for (Integer& x : sum) g.emplace_back(std::move(x), common);
+  for (const auto& [i, h] : form.r) g[i] += h;
+  return g;
+}
+
+}  // namespace
+
+std::optional<ProvedBound> lower_bound(const ExactContacts& contacts, const IntegerContacts& integers,
+                                       const ContactPattern& pattern, const ContactForm& form,
+                                       std::span<const Rational> y) {
+  std::vector<Rational> v;
+  for (const Rational& component : y) v.push_back(-component);
+  for (const auto& [i, f] : form.u) v[i] += f;
+  const std::vector<Rational> g = on_forces(integers, form, y);
+  ProvedBound result;
+  for (std::size_t k = 0; k < pattern.size(); ++k) {
+    const std::size_t normal = contacts.normal(k);
+    const int motion = sign_over_velocities(pattern[k], part_of(v, normal, contacts.dimension));
+    if (motion < 0) return std::nullopt;
+    const int force = sign_over_forces(pattern[k], part_of(g, normal, contacts.dimension), contacts.mu[k]);
+    if (force < 0) return std::nullopt;
+    result.strict = result.strict || motion > 0 || force > 0;
+  }
+  for (std::size_t i = 0; i < y.size(); ++i) result.value += y[i] * contacts.q[i];
+  return result;
+}
+
+bool proves_empty(const ExactContacts& contacts, const IntegerContacts& integers, const ContactPattern& pattern,
+                  std::span<const Rational> y) {
+  const auto bound = lower_bound(contacts, integers, pattern, {}, y);
+  return bound && (bound->value.sign() > 0 || (bound->value.is_zero() && bound->strict));
+}
+
+}  // namespace slipproof
