@@ -407,6 +407,7 @@ class Search {
     std::vector<ContactState> states;
     Direction last = arc.from;
     for (const Direction& d : cuts) {
+      if (cross(last, d).sign() <= 0) continue;  // rounded to the same
       states.push_back({Kind::slip, last, d});
       last = d;
     }
