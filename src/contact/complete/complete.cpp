@@ -41,7 +41,11 @@ class Search {
     root.pattern.resize(exact_.contacts());
     found_.nodes.push_back(root);
     std::vector<std::size_t> level{0};
+    const Work n = exact_.size(), each = plus(100'000, times(200, n * n * n));
+    Effort effort(options_.effort);
     while (!level.empty() && found_.nodes.size() < options_.most_nodes) {
+      if (!effort.allows(times(each, level.size()))) return;
+      effort.spend(times(each, level.size()));
       if (options_.progress) options_.progress(level.size(), found_.motions.size());
       level = next_generation(level);
     }

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "base/number/binary64.hpp"
+#include "contact/complete/certificate.hpp"
 #include "contact/enclosure/ball.hpp"
 #include "contact/judge/problem_name.hpp"
 #include "contact/path/solve.hpp"
@@ -23,7 +24,9 @@ class CertificateWriter {
     write_problem();
     write_law();
     vector("answer", judgement.x);
-    if (!write_claims(judgement)) return {};
+    const bool claimed = write_claims(judgement);
+    if (judgement.tree) text_ += all_solutions_claim(judgement.tree->solutions, judgement.tree->eliminated);
+    if (!claimed && !judgement.tree) return {};
     line("end");
     return std::move(text_);
   }

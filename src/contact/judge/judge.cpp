@@ -1,5 +1,7 @@
 #include "contact/judge/judge.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -100,7 +102,23 @@ class ContactCase {
     return small;
   }
 
-  bool certainly_several() const { return j_.other || !j_.other_exact.empty(); }
+  /// All solutions of any problem by Coulomb's law, with proof.
+  void find_all() {
+    if (!problem_.is_coulomb() || j_.all) return;
+    extra("all solutions", [&] {
+      auto tree = solution_tree(problem_, options_.effort);
+      if (!tree) throw std::runtime_error("the free unknowns are not determined by the forces, or too many");
+      AllSolutions all = all_solutions_of(*tree);
+      if (!all.complete()) {
+        throw std::runtime_error(fmt::format("found {}, and {} stay open, the first {}", all.solutions.size(),
+                                             all.unexamined.size(), all.unexamined.front()));
+      }
+      j_.all = std::move(all);
+      j_.tree = std::make_shared<const SolutionTree>(*std::move(tree));
+    });
+  }
+
+  bool certainly_several() const { return j_.other || !j_.other_exact.empty() || (j_.tree && !j_.all->one()); }
   bool certainly_one() const { return j_.unique_by || (j_.every && j_.every->unique()) || (j_.all && j_.all->one()); }
   /// Whether the known solution is the nearest there is.
   bool knows_all() const { return j_.all || j_.unique_by || (j_.every && j_.every->unique()); }
@@ -270,6 +288,7 @@ ContactJudgement judge_contacts(const MixedProblem& problem, std::vector<double>
   const bool strong = have_modes(problem) || is_convex(problem);
   const bool other_convex = !problem.is_coulomb() && is_convex(problem);  // then every answer has a certified distance
   if (strong && (right || options.refine || other_convex || may_be_near(judgement, options))) found.look_near();
+  if (options.all) found.find_all();
   const bool known = judgement.has_solution();
   const bool near = known && (options.within ? judgement.rho <= *options.within : judgement.error <= contact_near);
   const bool only_forces_open = judgement.every && !judgement.every->unique();

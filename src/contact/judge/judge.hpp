@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,7 +14,7 @@
 #include "contact/enclosure/residual.hpp"
 #include "contact/exact/exclusion.hpp"
 #include "contact/exact/unique_class.hpp"
-#include "contact/judge/all_solutions.hpp"
+#include "contact/judge/all_in_space.hpp"
 #include "contact/problem/tolerance.hpp"
 #include "contact/ranges/open_forces.hpp"
 
@@ -25,6 +26,7 @@ struct ContactJudgeOptions {
   /// What is near: a solution within this radius (without it, within `contact_near` of the largest force), and none
   /// where this is asked.
   std::optional<double> within;
+  bool all = false;     ///< find all solutions, in space as well, with proof (all_in_space.hpp)
   bool refine = false;  ///< look for a solution near the answer even if that is wrong
   EnclosureOptions enclosure;
   Work effort = 3'000'000'000;     ///< for theorems about all answers, and for exact solutions: a few seconds
@@ -58,11 +60,12 @@ struct ContactJudgement {
   std::optional<Enclosure> other;      ///< a solution elsewhere: there are several
   std::vector<Rational> other_exact;
   std::optional<LinearSearch> linear_modes;
-  std::optional<UniqueProof> unique_by;  ///< why there is no other; without it all modes were tried
-  std::vector<Rational> multipliers;     ///< a proof that there is no solution at all (no_solution.hpp)
-  std::vector<std::string> left_out;     ///< what was looked for beyond that, and failed: what it is, and why
-  std::optional<AllSolutions> all;       ///< where all are known, the nearest of each family (small.hpp)
-  std::optional<OwnMode> own;            ///< then, of an answer that is near none of them
+  std::optional<UniqueProof> unique_by;      ///< why there is no other; without it all modes were tried
+  std::vector<Rational> multipliers;         ///< a proof that there is no solution at all (no_solution.hpp)
+  std::vector<std::string> left_out;         ///< what was looked for beyond that, and failed: what it is, and why
+  std::optional<AllSolutions> all;           ///< where all are known, the nearest of each family (small.hpp)
+  std::shared_ptr<const SolutionTree> tree;  ///< the proof that `all` are all, where it was asked for
+  std::optional<OwnMode> own;                ///< then, of an answer that is near none of them
 
   /// Whether a solution within rho is known.
   bool has_solution() const { return enclosure || !exact.empty() || (every && every->unique()); }

@@ -71,7 +71,7 @@ std::string apart_words(const AllSolutions& all, std::vector<Range> FoundSolutio
 
 /// How many solutions there are, in which modes, and how they differ.
 std::string solutions_words(const AllSolutions& all, const ContactUnits& units) {
-  if (all.none()) return "Every mode was tried: none has a solution.";
+  if (all.none()) return "It is proved that there is no solution.";
   constexpr std::size_t shown = 8;
   const std::size_t singles = all.singles(), families = all.families();
   std::string text = singles > 0 ? counted(singles, "solution") : "";

@@ -58,6 +58,7 @@ std::string command_line(const CertifyProblemArguments& options) {
   };
   if (!options.answer.empty()) add("--answer", options.answer);
   if (options.refine) text += " --refine";
+  if (options.all) text += " --all";
   if (!options.law.empty()) add("--law", options.law);
   if (options.tolerance) add("--tolerance", fmt::format("{}", *options.tolerance));
   if (options.within) add("--within", fmt::format("{}", *options.within));
@@ -100,6 +101,7 @@ ContactFileOptions CertifyProblemArguments::judging() const {
   if (effort) options.judge.effort = *effort;
   options.judge.within = within;
   options.judge.refine = refine;
+  options.judge.all = all;
   options.law = law_called(law);
   return options;
 }
@@ -111,6 +113,7 @@ void add_problem_options(CLI::App& command, CertifyProblemArguments& options) {
       ->add_option("--refine", options.refined,
                    "Look for a solution near the answer, or without one;\nwith a FILE write it there, as JSON")
       ->expected(0, 1);
+  group->add_flag("--all", options.all, "Find all solutions, in space as well, and prove that there are no others");
   group->add_option("--certificate", options.certificate,
                     "Write a certificate for slipproof-check-contact to this file");
   group->add_option("--report", options.report, "Write a page that draws the contacts in their cones");

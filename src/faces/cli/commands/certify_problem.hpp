@@ -16,12 +16,12 @@ struct CertifyProblemArguments {
   std::string law;  ///< empty: that of the problem
   std::optional<double> tolerance, within;
   std::optional<Work> effort;
-  bool refine = false;
+  bool refine = false, all = false;
   /// Whether an option was given that only a file with one problem has, or only problems have.
   bool any_of_one() const {
     return !answer.empty() || !certificate.empty() || !check_certificate.empty() || !report.empty() || refine;
   }
-  bool any() const { return any_of_one() || within || !law.empty(); }
+  bool any() const { return any_of_one() || within || !law.empty() || all; }
   /// What the options say about every contact problem, in a file or in a line.
   ContactFileOptions judging() const;
 };
