@@ -6,20 +6,20 @@
 namespace slipproof::check_contact {
 
 /// Numbers at one contact; the tangential ones that the dimension does not have are 0.
-struct Part {
+struct AtContact {
   Number normal;
   Direction tangential;
 };
 
-inline Part part(const Reduced& problem, const Vector& numbers, std::size_t k) {
+inline AtContact at_contact(const Reduced& problem, const Vector& numbers, std::size_t k) {
   const std::size_t normal = problem.dimension * k;
-  Part result{numbers[normal], {}};
+  AtContact result{numbers[normal], {}};
   for (std::size_t t = 1; t < problem.dimension; ++t) result.tangential[t - 1] = numbers[normal + t];
   return result;
 }
 
 /// 1: v . u > 0 for all velocities u that the state allows; 0: v . u >= 0; -1: it may be negative.
-inline int over_velocities(const State& state, const Part& v) {
+inline int over_velocities(const State& state, const AtContact& v) {
   using Kind = State::Kind;
   if (state.kind == Kind::stick) return 0;
   if (state.kind == Kind::slip)
@@ -29,14 +29,14 @@ inline int over_velocities(const State& state, const Part& v) {
 }
 
 /// The same for g . r and all forces of the friction cone but 0.
-inline int over_cone(const Number& mu, const Part& g) {
+inline int over_cone(const Number& mu, const AtContact& g) {
   if (g.normal.sign() < 0) return -1;
   return (square(g.normal) - square(mu) * dot(g.tangential, g.tangential)).sign();
 }
 
 /// The same for g . r and all forces r that the state allows. Where it slips these are r_N (1, -mu d), and g_T . d is
 /// greatest along g_T, or at an end of the arc.
-inline int over_forces(const State& state, const Number& mu, const Part& g) {
+inline int over_forces(const State& state, const Number& mu, const AtContact& g) {
   using Kind = State::Kind;
   if (state.kind == Kind::open) return 0;
   if (state.kind == Kind::any) return std::min(over_cone(mu, g), 0);
@@ -206,8 +206,8 @@ class AllSolutions {
     }
     bool strict = false;
     for (std::size_t k = 0; k < pattern_.size(); ++k) {
-      const int motion = over_velocities(pattern_[k], part(reduced_, v, k));
-      const int force = over_forces(pattern_[k], problem_.mu[k], part(reduced_, g, k));
+      const int motion = over_velocities(pattern_[k], at_contact(reduced_, v, k));
+      const int force = over_forces(pattern_[k], problem_.mu[k], at_contact(reduced_, g, k));
       require(motion >= 0, "contact", k, "v . u may be negative");
       require(force >= 0, "contact", k, "g . r may be negative");
       strict = strict || motion > 0 || force > 0;
