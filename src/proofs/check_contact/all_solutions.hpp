@@ -176,8 +176,9 @@ class AllSolutions {
   }
 
   std::vector<Direction> read_directions() {
-    std::vector<Direction> result(reader_.count());
-    for (Direction& d : result) {
+    std::vector<Direction> result;
+    for (std::size_t left = reader_.count(); left > 0; --left) {
+      Direction& d = result.emplace_back();
       for (Number& x : d) x = reader_.number();
       judge_node([&] { require(dot(d, d) == 1, "a direction has not length 1"); });
     }
