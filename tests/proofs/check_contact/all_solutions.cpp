@@ -9,7 +9,7 @@ namespace {
 const std::string kVelocities = "contact 0: v . u may be negative", kForces = "contact 0: g . r may be negative";
 const std::string kNotEmpty = "y . q is not positive, and not 0 where more than that is proved";
 const std::string kLess = "y . q is less than the bound", kArc = "it is not counterclockwise and below half a turn";
-const std::string kMapped = "the box is not mapped into its radius";
+const std::string kOutside = "the box is not mapped into its radius";
 
 std::string node(int index, const std::string& reason) {
   return "node " + std::to_string(index) + ": " + reason;
@@ -152,7 +152,7 @@ TEST_CASE("all solutions: motions exist") {
                        {"exact 1 -1/2", "exact 1 -1/4",
                         "motion 0: contact 0: it slides with a force inside of the friction cone"}});
   const std::string spread = "motion 0: unknown 0: |I - R J| p is not less than its radius";
-  reject_all(kRestsInBox, {{"center 1", "center 4/3", "motion 0: unknown 0: " + kMapped},
+  reject_all(kRestsInBox, {{"center 1", "center 4/3", "motion 0: unknown 0: " + kOutside},
                            {"0 0 1\ndecide", "0 0 2\ndecide", spread},
                            {"inverse 1  0 0 1", "inverse 0", spread},
                            {"radius 1/4", "radius 0", spread},
@@ -170,11 +170,11 @@ TEST_CASE("all solutions: motions exist") {
                        {"mu 1/2", "mu 1/4", "motion 0: contact 0: the force may leave the friction cone"}});
   reject_all(
       kSlidesInSpace,
-      {{"center 10 3/5 4/5 10", "center 10 4/5 3/5 10", "motion 0: unknown 1: " + kMapped},
+      {{"center 10 3/5 4/5 10", "center 10 4/5 3/5 10", "motion 0: unknown 1: " + kOutside},
        {"center 10 3/5 4/5 10", "center 10 -3/5 -4/5 -20",
         "motion 0: unknown 1: |I - R J| p is not less than its radius"},
        {"radius 1/8 1/64", "radius 1/8 1/4", "motion 0: unknown 1: alone is less than its radius"},
-       {"radius 1/8 1/64 1/64 1/8", "radius 1/8 1/64 1/64 1/256", "motion 0: unknown 3: " + kMapped},
+       {"radius 1/8 1/64 1/64 1/8", "radius 1/8 1/64 1/64 1/256", "motion 0: unknown 3: " + kOutside},
        {"alone 1/2 9/64 9/64 5/4", "alone 1/2 1/4 1/4 5/4", "motion 0: unknown 3: there may be two zeros within alone"},
        {"alone 1/2 9/64 9/64 5/4", "alone 1/2 9/64 9/64 1", "motion 0: unknown 3: there may be two zeros within alone"},
        {"alone 1/2 9/64 9/64 5/4", "alone 1/2 9/64 0 5/4", "motion 0: alone is neither positive nor 0 everywhere"}});
