@@ -56,34 +56,6 @@ struct State {
   Direction from{}, to{};  ///< slip: the ends of the arc; in dimension 2 both are (1, 0) or (-1, 0)
 };
 
-/// constant + linear terms + products of two unknowns.
-struct Quadratic {
-  struct Product {
-    std::size_t i, j;
-    Number coefficient;
-  };
-  Number constant;
-  Row linear;
-  std::vector<Product> products;
-
-  Number at(const Vector& z) const {
-    Number sum = constant + dot(linear, z);
-    for (const auto& [i, j, b] : products) sum += b * z[i] * z[j];
-    return sum;
-  }
-  Row slope(const Vector& z) const {
-    Row result = linear;
-    for (const auto& [i, j, b] : products) result[i] += b * z[j], result[j] += b * z[i];
-    return result;
-  }
-  /// At most what the products are for unknowns up to p.
-  Number bend(const Vector& p) const {
-    Number sum;
-    for (const auto& [i, j, b] : products) sum += abs(b) * p[i] * p[j];
-    return sum;
-  }
-};
-
 class ListedMotion {
  public:
   ListedMotion(const Problem& problem, Reader& reader) {
@@ -111,8 +83,7 @@ class ListedMotion {
     for (const Number& P : alone_) {
       require(P.sign() >= 0 && P.sign() == alone_[0].sign(), "alone is neither positive nor 0 everywhere");
     }
-    list_equations(problem, reduced);
-    check_zero();
+    check_zero(equations(problem, reduced));
     list_velocities(problem, reduced);
     for (std::size_t k = 0; k < mode_.size(); ++k) check_contact(problem, k);
   }
@@ -180,49 +151,71 @@ class ListedMotion {
     for (std::size_t k = 0; k < problem.contacts(); ++k) check_law(problem, k, x, w);
   }
 
+  /// F_i(z + d) = value + slope d + what is at most `bend` for |d| <= p, and `far_bend` for |d| <= P.
+  struct Equation {
+    Number value{};
+    Row slope{};
+    Number bend{}, far_bend{};
+  };
+
+  void add_term(Equation& equation, const Number& a, std::size_t j) const {
+    equation.value += a * center_[j];
+    equation.slope[j] += a;
+  }
+  void add_product(Equation& equation, const Number& b, std::size_t i, std::size_t j) const {
+    equation.value += b * center_[i] * center_[j];
+    equation.slope[i] += b * center_[j];
+    equation.slope[j] += b * center_[i];
+    equation.bend += abs(b) * radius_[i] * radius_[j];
+    equation.far_bend += abs(b) * alone_[i] * alone_[j];
+  }
+
   /// u_i of the unknowns.
-  Quadratic velocity(const Problem& problem, const Reduced& reduced, std::size_t i) const {
-    Quadratic result{reduced.q[i], {}, {}};
+  Equation velocity(const Problem& problem, const Reduced& reduced, std::size_t i) const {
+    Equation result{reduced.q[i]};
     for (const auto& [j, a] : reduced.W[i]) {
       const std::size_t k = j / problem.dimension, t = j % problem.dimension, first = first_[k];
       const Kind kind = mode_[k].kind;
       if (kind == Kind::open || (kind == Kind::closed && t > 0)) continue;
       if (t == 0 || kind == Kind::stick) {
-        result.linear[first + t] += a;
+        add_term(result, a, first + t);
       } else if (problem.dimension == 3) {
-        result.products.push_back({first, first + t, -(problem.mu[k] * a)});
+        add_product(result, -(problem.mu[k] * a), first, first + t);
       } else {
-        result.linear[first] += -(problem.mu[k] * mode_[k].from[0] * a);
+        add_term(result, -(problem.mu[k] * mode_[k].from[0] * a), first);
       }
     }
     return result;
   }
 
-  void list_equations(const Problem& problem, const Reduced& reduced) {
+  std::vector<Equation> equations(const Problem& problem, const Reduced& reduced) const {
+    std::vector<Equation> result;
     for (std::size_t k = 0; k < mode_.size(); ++k) {
       const std::size_t normal = problem.dimension * k, first = first_[k];
-      if (mode_[k].kind == Kind::open) continue;
-      equations_.push_back(velocity(problem, reduced, normal));
-      for (std::size_t t = 1; (mode_[k].kind == Kind::stick || slides_in_space(k)) && t < problem.dimension; ++t) {
-        equations_.push_back(velocity(problem, reduced, normal + t));
-        if (slides_in_space(k)) equations_.back().products.push_back({first + 3, first + t, -1});
+      const bool slides = slides_in_space(k);
+      if (mode_[k].kind != Kind::open) result.push_back(velocity(problem, reduced, normal));
+      for (std::size_t t = 1; (mode_[k].kind == Kind::stick || slides) && t < problem.dimension; ++t) {
+        result.push_back(velocity(problem, reduced, normal + t));
+        if (slides) add_product(result.back(), -1, first + 3, first + t);
       }
-      if (!slides_in_space(k)) continue;
-      equations_.push_back({-1, {}, {{first + 1, first + 1, 1}, {first + 2, first + 2, 1}}});
+      if (!slides) continue;
+      result.push_back({-1});
+      for (const std::size_t d : {first + 1, first + 2}) add_product(result.back(), 1, d, d);
     }
+    return result;
   }
 
   /// |R f| + |I - R J| p + |R| q(p) <= p: there is a zero (Brouwer). |I - R J| P + 2 |R| q(P) < P: not two.
-  void check_zero() const {
+  void check_zero(const std::vector<Equation>& equations) const {
     for (std::size_t j = 0; j < center_.size(); ++j) {
       Number shift, bend, far_bend, spread, far_spread;
       Vector product(center_.size());
       product[j] = -1;
       for (const auto& [i, r] : inverse_[j]) {
-        shift += r * equations_[i].at(center_);
-        bend += abs(r) * equations_[i].bend(radius_);
-        far_bend += abs(r) * equations_[i].bend(alone_);
-        for (const auto& [k, a] : equations_[i].slope(center_)) product[k] += r * a;
+        shift += r * equations[i].value;
+        bend += abs(r) * equations[i].bend;
+        far_bend += abs(r) * equations[i].far_bend;
+        for (const auto& [k, a] : equations[i].slope) product[k] += r * a;
       }
       for (std::size_t k = 0; k < center_.size(); ++k) {
         spread += abs(product[k]) * radius_[k];
@@ -280,7 +273,6 @@ class ListedMotion {
   std::vector<std::size_t> first_{0};
   Vector center_, radius_, alone_;
   Matrix inverse_;
-  std::vector<Quadratic> equations_;
   std::vector<Range> velocities_;  ///< of rows of u
 };
 
