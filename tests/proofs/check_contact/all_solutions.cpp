@@ -202,6 +202,9 @@ TEST_CASE("all solutions: what is known of a pattern is the motion of its mode, 
        {"alone 1/2 9/64 9/64", "alone 1/2 9/64 7/64", node(6, arc)},
 
        {"    empty 5/2 3 4", "    known 0 -1 0 0 1 0 0 -961/986 -589/493 -775/493 1 589/493 775/493", node(3, mode)}});
+  // The arc reaches the edge of where the motion is alone: 3/5 - 11/85 = 8/17, 4/5 - 16/145 = 20/29.
+  CHECK(established(replaced(kSlidesInSpace, "alone 1/2 9/64 9/64", "alone 1/2 11/85 16/145")) ==
+        "accepted: one motion and no other");
 }
 
 TEST_CASE("all solutions: of Coulomb's law, and by its numbers") {
