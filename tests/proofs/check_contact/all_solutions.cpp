@@ -145,6 +145,20 @@ TEST_CASE("all solutions: multipliers, in each state") {
   CHECK(edge("1/2", "-1 1", "1 1").starts_with("rejected: node 4: "));   // here it does not, but it slips
 }
 
+TEST_CASE("all solutions: more than 0 is proved by velocities") {
+  // No force moves it, and nothing else does: u = 0.
+  const std::string stands =
+      "slipproof-contact 1 dimension 3 free 0 contacts 1 mu 1/2 matrix 0 constant 0 0 0 no-answer all-solutions 1 "
+      "motion exact 0 0 0 decide 0 known 0 1 0 0 -1 0 0 0 1 0 0 -1 0 0 0 1 0 0 -1 "
+      "slips 0 4 1 0 0 1 -1 0 0 -1 known 0 empty 0 -1 -1 empty 0 1 -2 empty 0 2 1 empty 0 -1 3 end";
+  reject_all(stands, {{"empty 0 -1 -1", "empty 0 -1 0", node(4, kNotEmpty)},  // 0 at an end of the arc
+                      {"empty 0 -1 -1", "empty 0 0 -1", node(4, kNotEmpty)},
+                      {"empty 0 2 1", "empty 0 2 -1", node(6, kVelocities)},
+                      {"motion exact 0 0 0", "motion exact 1 1 0",
+                       "motion 0: contact 0: the force is outside of the "
+                       "friction cone"}});
+}
+
 TEST_CASE("all solutions: motions exist") {
   reject_all(kRests, {{"exact 1", "exact 2", "motion 0: contact 0: neither u_N nor r_N is 0"},
                       {"exact 1", "exact -1", "motion 0: contact 0: u_N is negative"}});
