@@ -165,7 +165,7 @@ End Claims.
 
 (** Claims that this checker does not know. *)
 Definition unknown_claim (ts : list string) : bool :=
-  at_word "every-solution" ts
+  at_word "every-solution" ts || at_word "all-solutions" ts
   || (at_word "unique" ts && existsb (fun w => at_word w (tl ts)) ["bound"; "determinants"]).
 
 Inductive outcome := Unreadable | NotCovered | Claims (l : list body).

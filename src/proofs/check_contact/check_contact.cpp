@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "proofs/check_contact/all_solutions.hpp"
 #include "proofs/check_contact/ball.hpp"
 #include "proofs/check_contact/claims.hpp"
 #include "proofs/check_contact/every_solution.hpp"
@@ -18,6 +19,7 @@ std::string claim(const Problem& problem, Reader& reader, const char* expected) 
   if (reader.accept("ball")) return Ball(problem, reader).check();
   if (reader.accept("unique")) return unique(problem, reader);
   if (reader.accept("every-solution")) return every_solution(problem, reader);
+  if (reader.accept("all-solutions")) return all_solutions(problem, reader);
   reader.refuse(expected);
 }
 

@@ -79,7 +79,7 @@ class Neighbourhood {
 
  private:
   Mode mode(Reader& reader, std::size_t k) {
-    const bool friction = has_friction(k);
+    const bool friction = problem_.has_friction(k);
     if (reader.accept("open")) return Mode::open;
     if (reader.accept("touch")) return Mode::touch;
     if (reader.accept("stick")) return Mode::stick;
@@ -105,12 +105,10 @@ class Neighbourhood {
     reader.refuse("a mode that contact " + std::to_string(k) + " can have");
   }
 
-  bool has_friction(std::size_t k) const { return problem_.dimension > 1 && problem_.mu[k].sign() != 0; }
-
   /// How many rows of A are equations, and components of x unknowns, of contact k.
   std::size_t forces(std::size_t k) const {
     if (modes_[k] == Mode::open) return 0;
-    return has_friction(k) && modes_[k] != Mode::touch ? problem_.dimension : 1;
+    return problem_.has_friction(k) && modes_[k] != Mode::touch ? problem_.dimension : 1;
   }
 
   void count_unknowns() {
@@ -250,7 +248,7 @@ class Neighbourhood {
   /// No force, where u_N = 0. By the associated law u_T would have to be 0, too.
   void check_touch(std::size_t k, std::size_t normal) const {
     require(pinned_.count(normal) > 0 && center_[normal].sign() == 0, "contact", k, "it touches with a force");
-    require(!opens_ || !has_friction(k), "contact", k, "by the associated law it cannot touch in motion");
+    require(!opens_ || !problem_.has_friction(k), "contact", k, "by the associated law it cannot touch in motion");
   }
 
   /// The conditions of the law that the equations do not imply, everywhere in the box.

@@ -84,6 +84,7 @@ struct Problem {
   std::size_t contacts() const { return mu.size(); }
   std::size_t size() const { return free + dimension * contacts(); }
   std::size_t normal(std::size_t k) const { return free + dimension * k; }
+  bool has_friction(std::size_t k) const { return dimension > 1 && mu[k].sign() != 0; }
   Number entry(std::size_t i, std::size_t j) const {
     const auto found = A[i].find(j);
     return found == A[i].end() ? Number() : found->second;

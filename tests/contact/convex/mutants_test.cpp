@@ -8,6 +8,7 @@
 #include "contact/convex/second_reading.hpp"
 #include "contact/judge/certificate.hpp"
 #include "contact/judge/judge.hpp"
+#include "proofs/check_contact/all_solutions_examples.hpp"
 #include "proofs/check_contact/record.hpp"
 #include "support/how_many.hpp"
 
@@ -165,4 +166,31 @@ TEST_CASE("a contact that touches has no force, by both readings") {
   CHECK(second_reading(certificate("2", "0")) == "accepted");
   CHECK(first_reading(certificate("1", "1")) == "rejected");  // it would rub
   CHECK(second_reading(certificate("1", "1")).substr(0, 8) == "rejected");
+}
+
+TEST_CASE("mutants of certificates of all solutions are judged alike by two checkers") {
+  using namespace check_contact;
+  const int mutants = how_many("SLIPPROOF_LAW_MUTANTS", 150) * 10;
+  std::map<std::string, int> count;
+  std::uint64_t seed = 0;
+  for (const std::string& text : {kRests, kRestsInBox, kRestsOrLifts, kTouches, kSlides, kSlidesInBox, kParadox,
+                                  kSticks, kSlidesInSpace, kNoMotion}) {
+    CAPTURE(text);
+    REQUIRE(first_reading(text) == "accepted");
+    REQUIRE(second_reading(text) == "accepted");
+    const std::vector<std::string> words = words_of(text);
+    Dice dice(57, seed++);
+    for (int m = 0; m < mutants; ++m) {
+      std::string mutant = changed(words, dice);
+      if (m % 4 == 0) mutant = changed(words_of(mutant), dice);
+      const std::string first = first_reading(mutant), second = second_reading(mutant);
+      CAPTURE(mutant);
+      CAPTURE(second);
+      CHECK(first == second.substr(0, first.size()));
+      ++count[first];
+    }
+  }
+  CHECK(count["accepted"] > mutants / 4);
+  CHECK(count["rejected"] > mutants);
+  CHECK(count["unreadable"] > mutants);
 }

@@ -213,6 +213,8 @@ std::string second_reading(const std::string& text) {
           second::enclosure(p, words, true);
         } else if (words.take("every-solution")) {
           second::every(p, words);
+        } else if (words.take("all-solutions")) {
+          second::all_solutions(p, words);
         } else {
           return "unreadable";
         }

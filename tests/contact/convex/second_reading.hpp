@@ -1,6 +1,6 @@
 // Certificates about contact problems read a second time, from FORMAT.md alone: another program than the checker, with
-// other formulas where there are some. It knows `eps`, `enclosure`, `ball` and
-// `every-solution`.
+// other formulas where there are some. It knows `eps`, `enclosure`, `ball`,
+// `every-solution` and `all-solutions`.
 #pragma once
 
 #include <string>

@@ -156,5 +156,7 @@ inline Q dot(const Vec& a, const Vec& b) {
 
 /// Checks an enclosure, or a ball; throws No.
 void enclosure(const Certificate& p, Words& words, bool ball);
+/// Checks a list of all solutions; throws No.
+void all_solutions(const Certificate& p, Words& words);
 
 }  // namespace slipproof::test::second

@@ -2,14 +2,16 @@
 #include <random>
 #include <vector>
 
+#include "proofs/check_contact/all_solutions_examples.hpp"
 #include "proofs/check_contact/examples.hpp"
 
 using namespace slipproof::check_contact;
 
 namespace {
 
-const std::vector<std::string> kAll{kEps, kNoneWithin, kNoSolution, kSlide,    kPlane, kComplementarity,
-                                    kRod, kStick,      kDominant,   kDefinite, kNamed};
+const std::vector<std::string> kAll{kEps,     kNoneWithin,   kNoSolution, kSlide,    kPlane, kComplementarity,
+                                    kRod,     kStick,        kDominant,   kDefinite, kNamed, kRestsInBox,
+                                    kParadox, kSlidesInSpace};
 
 struct Malformed {
   std::string from, to, expected;

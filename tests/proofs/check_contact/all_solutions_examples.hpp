@@ -1,0 +1,192 @@
+// Certificates of `all-solutions`, in numbers that a person can follow.
+#pragma once
+
+#include <string>
+
+namespace slipproof::check_contact {
+
+/// A weight of 1 rests: u = r - 1.
+inline const std::string kRests =
+    "slipproof-contact 1\n"
+    "dimension 1 free 0 contacts 1\n"
+    "mu 0\n"
+    "matrix 1  0 0 1\n"
+    "constant -1\n"
+    "no-answer\n"
+    "all-solutions 1\n"
+    "motion exact 1\n"
+    "decide 0\n"
+    "  empty -1\n"
+    "  known 0\n"
+    "end\n";
+
+/// The same, with a free unknown x: 2 x - 2 r + 2 = 0, u = x. The motion is in a box.
+inline const std::string kRestsInBox =
+    "slipproof-contact 1\n"
+    "dimension 1 free 1 contacts 1\n"
+    "mu 0\n"
+    "matrix 3  0 0 2  0 1 -2  1 0 1\n"
+    "constant 2 0\n"
+    "no-answer\n"
+    "all-solutions 1\n"
+    "eliminated 1  0 0 1/2\n"
+    "motion box modes closed center 1 radius 1/4 alone 1 inverse 1  0 0 1\n"
+    "decide 0\n"
+    "  empty -1\n"
+    "  known 0  -1  1\n"
+    "end\n";
+
+/// u = 1 - r: it lifts, or it rests.
+inline const std::string kRestsOrLifts =
+    "slipproof-contact 1\n"
+    "dimension 1 free 0 contacts 1\n"
+    "mu 0\n"
+    "matrix 1  0 0 -1\n"
+    "constant 1\n"
+    "no-answer\n"
+    "all-solutions 2\n"
+    "motion exact 0\n"
+    "motion exact 1\n"
+    "decide 0\n"
+    "  known 0  1  -1\n"
+    "  known 1\n"
+    "end\n";
+
+/// u = r: it touches without a force. That it is not pressed follows because more than 0 is proved.
+inline const std::string kTouches =
+    "slipproof-contact 1\n"
+    "dimension 1 free 0 contacts 1\n"
+    "mu 0\n"
+    "matrix 1  0 0 1\n"
+    "constant 0\n"
+    "no-answer\n"
+    "all-solutions 1\n"
+    "motion exact 0\n"
+    "decide 0\n"
+    "  known 0  0  -1\n"
+    "  empty 1\n"
+    "end\n";
+
+/// A block in the plane under a push: r = (1, -1/2), u = (0, 3/2).
+inline const std::string kSlides =
+    "slipproof-contact 1\n"
+    "dimension 2 free 0 contacts 1\n"
+    "mu 1/2\n"
+    "matrix 2  0 0 1  1 1 1\n"
+    "constant -1 2\n"
+    "no-answer\n"
+    "all-solutions 1\n"
+    "motion exact 1 -1/2\n"
+    "decide 0\n"
+    "  empty -1 0\n"
+    "  slips 0\n"
+    "    empty 1 1\n"
+    "    known 0  1/2 1  -1/2 -1\n"
+    "    empty 0 1\n"
+    "end\n";
+
+/// The same, with the motion in a box.
+inline const std::string kSlidesInBox =
+    "slipproof-contact 1\n"
+    "dimension 2 free 0 contacts 1\n"
+    "mu 1/2\n"
+    "matrix 2  0 0 1  1 1 1\n"
+    "constant -1 2\n"
+    "no-answer\n"
+    "all-solutions 1\n"
+    "motion box modes slide+ center 1 radius 1/4 alone 1 inverse 1  0 0 1\n"
+    "decide 0\n"
+    "  empty -1 0\n"
+    "  slips 0\n"
+    "    empty 1 1\n"
+    "    known 0  -1 0  1 0\n"
+    "    empty 0 1\n"
+    "end\n";
+
+/// Painleve's paradox: it lifts, sticks with r = (15, -8), or slides with r = (1, -1) and u = (0, 7).
+inline const std::string kParadox =
+    "slipproof-contact 1\n"
+    "dimension 2 free 0 contacts 1\n"
+    "mu 1\n"
+    "matrix 4  0 0 1  0 1 2  1 0 2  1 1 5\n"
+    "constant 1 10\n"
+    "no-answer\n"
+    "all-solutions 3\n"
+    "motion exact 0 0\n"
+    "motion exact 15 -8\n"
+    "motion box modes slide+ center 1 radius 1/8 alone 1 inverse 1  0 0 -1\n"
+    "decide 0\n"
+    "  known 0  1 0  -1 0  0 1  0 -1\n"
+    "  slips 0\n"
+    "    known 1\n"
+    "    known 2  1 0  -1 0\n"
+    "    empty 1 0\n"
+    "end\n";
+
+/// A block rests on a plane under a push of 3, below the limit of friction, 5.
+inline const std::string kSticks =
+    "slipproof-contact 1\n"
+    "dimension 3 free 0 contacts 1\n"
+    "mu 1/2\n"
+    "matrix 3  0 0 1  1 1 1  2 2 1\n"
+    "constant -10 3 0\n"
+    "no-answer\n"
+    "all-solutions 1\n"
+    "motion box modes stick center 10 -3 0 radius 1/4 1/4 1/4 alone 1 1 1 inverse 3  0 0 1  1 1 1  2 2 1\n"
+    "decide 0\n"
+    "  empty -1 0 0\n"
+    "  slips 0 4  1 0  0 1  -1 0  0 -1\n"
+    "    known 0  -1 0 0  1 0 0  0 -1 0  0 1 0  0 0 -1  0 0 1\n"
+    "    empty -1/2 -1 -1\n"
+    "    empty 0 1 0\n"
+    "    empty 0 1 0\n"
+    "    empty -1/2 -1 1\n"
+    "end\n";
+
+/// A block on a plane under a push of (9, 12): r = (10, -3, -4), u = (0, 6, 8) = (0, 10 d).
+inline const std::string kSlidesInSpace =
+    "slipproof-contact 1\n"
+    "dimension 3 free 0 contacts 1\n"
+    "mu 1/2\n"
+    "matrix 3  0 0 1  1 1 1  2 2 1\n"
+    "constant -10 9 12\n"
+    "no-answer\n"
+    "all-solutions 1\n"
+    "motion box modes slide\n"
+    "center 10 3/5 4/5 10\n"
+    "radius 1/8 1/64 1/64 1/8\n"
+    "alone 1/2 9/64 9/64 5/4\n"
+    "inverse 11\n"
+    "0 0 1\n"
+    "1 1 -16/375  1 2 4/125  1 3 3/10\n"
+    "2 1 4/125  2 2 -3/125  2 3 2/5\n"
+    "3 0 -1/2  3 1 -3/5  3 2 -4/5  3 3 -15/2\n"
+    "decide 0\n"
+    "  empty -1 0 0\n"
+    "  slips 0 4  1 0  0 1  -1 0  0 -1\n"
+    "    empty 5/2 3 4\n"
+    "    arcs 0 2  21/29 20/29  8/17 15/17\n"
+    "      empty 0 -20 21\n"
+    "      known 0  -1 0 0  1 0 0\n"
+    "        -961/986 -589/493 -775/493  1 589/493 775/493\n"
+    "      empty 0 15 -8\n"
+    "    empty 0 1 0\n"
+    "    empty 0 1 1\n"
+    "    empty 0 0 1\n"
+    "end\n";
+
+/// u_N = -1 - r_N + 6/5 r_T1 + 8/5 r_T2 is at most -1 (kNoSolution).
+inline const std::string kNoMotion =
+    "slipproof-contact 1\n"
+    "dimension 3 free 1 contacts 1\n"
+    "mu 1/2\n"
+    "matrix 7\n"
+    "0 0 1  1 0 -1  1 1 -1  1 2 6/5  1 3 8/5  2 2 1  3 3 1\n"
+    "constant -1 0 5 6\n"
+    "no-answer\n"
+    "all-solutions 0\n"
+    "eliminated 1  0 0 1\n"
+    "empty -1 0 0\n"
+    "end\n";
+
+}  // namespace slipproof::check_contact
