@@ -29,8 +29,9 @@ void add_solutions(const AllSolutions& all, Json& to) {
   }
   for (const FoundSolution& s : all.solutions) {
     if (!s.is_family()) continue;
-    to["continua"].push_back(
-        {{"mode", s.modes.front()}, {"parameters", s.open_directions}, {"nearest_z", ranges_json(s.r)}});
+    Json entry{{"mode", s.modes.front()}, {"parameters", s.open_directions}, {"nearest_z", ranges_json(s.r)}};
+    if (all.dimension == 3) entry["w"] = ranges_json(s.u);  // one motion, by other forces
+    to["continua"].push_back(std::move(entry));
   }
 }
 

@@ -118,7 +118,9 @@ class ContactCase {
     });
   }
 
-  bool certainly_several() const { return j_.other || !j_.other_exact.empty() || (j_.tree && !j_.all->one()); }
+  bool certainly_several() const {
+    return j_.other || !j_.other_exact.empty() || (j_.tree && j_.all->solutions.size() > 1);
+  }
   bool certainly_one() const { return j_.unique_by || (j_.every && j_.every->unique()) || (j_.all && j_.all->one()); }
   /// Whether the known solution is the nearest there is.
   bool knows_all() const { return j_.all || j_.unique_by || (j_.every && j_.every->unique()); }
