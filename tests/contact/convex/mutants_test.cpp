@@ -174,7 +174,7 @@ TEST_CASE("mutants of certificates of all solutions are judged alike by two chec
   std::map<std::string, int> count;
   std::uint64_t seed = 0;
   for (const std::string& text : {kRests, kRestsInBox, kRestsOrLifts, kTouches, kSlides, kSlidesInBox, kParadox,
-                                  kSticks, kSlidesInSpace, kNoMotion}) {
+                                  kSticks, kSlidesInSpace, kNoMotion, kThreeContacts}) {
     CAPTURE(text);
     REQUIRE(first_reading(text) == "accepted");
     REQUIRE(second_reading(text) == "accepted");

@@ -33,6 +33,7 @@ TEST_CASE("all solutions: how many motions there are is told in words") {
   CHECK(established(kParadox) == "accepted: 3 motions and no others");
   CHECK(established(kSticks) == "accepted: one motion and no other");
   CHECK(established(kSlidesInSpace) == "accepted: one motion and no other");
+  CHECK(established(kThreeContacts) == "accepted: one motion and no other");
   CHECK(established(kNoMotion) == "accepted: no motion at all");
 }
 
@@ -128,6 +129,7 @@ TEST_CASE("all solutions: multipliers, in each state") {
                               {"empty 0 -20 21", "empty 0 -19 21", node(5, kVelocities)},
                               {"empty 0 -20 21", "empty -1 -20 21", node(5, kForces)},
                               {"empty 0 15 -8", "empty 0 15 -7", node(7, kVelocities)},
+                              {"1 589/493", "13/10 589/493", node(6, kLess)},
                               {"1 589/493", "63/64 589/493", node(6, kForces)},  // inside of the arc's cone
                               {"-961/986", "0", node(6, kLess)},
                               {"-961/986", "-962/986", node(6, kForces)}});
@@ -179,7 +181,9 @@ TEST_CASE("all solutions: motions exist") {
   reject_all(kSlidesInBox, {{"slide+", "slide-", "motion 0: contact 0: u_T may have the other sign"},
                             {"constant -1 2", "constant -1 1/2", "motion 0: contact 0: u_T may have the other sign"},
                             {"radius 1/4 alone 1", "radius 2 alone 2", "motion 0: contact 0: r_N may be negative"}});
-  reject_all(kSticks, {{"radius 1/4 1/4 1/4 alone 1 1 1", "radius 1 3 1 alone 3 3 3",
+  reject_all(kSticks, {{"radius 1/4 1/4 1/4 alone 1 1 1", "radius 8 1/4 1/4 alone 8 1 1",
+                        "motion 0: contact 0: the force may leave the friction cone"},
+                       {"radius 1/4 1/4 1/4 alone 1 1 1", "radius 1 3 1 alone 3 3 3",
                         "motion 0: contact 0: the force may leave the friction cone"},
                        {"mu 1/2", "mu 1/4", "motion 0: contact 0: the force may leave the friction cone"}});
   reject_all(
@@ -192,10 +196,40 @@ TEST_CASE("all solutions: motions exist") {
        {"alone 1/2 9/64 9/64 5/4", "alone 1/2 1/4 1/4 5/4", "motion 0: unknown 3: there may be two zeros within alone"},
        {"alone 1/2 9/64 9/64 5/4", "alone 1/2 9/64 9/64 1", "motion 0: unknown 3: there may be two zeros within alone"},
        {"alone 1/2 9/64 9/64 5/4", "alone 1/2 9/64 0 5/4", "motion 0: alone is neither positive nor 0 everywhere"}});
+  // Friction that drives it: r_T = (3, 4), u_T = (12, 16) = -20 d.
+  const std::size_t at = kSlidesInSpace.find("inverse"), end = kSlidesInSpace.find("decide");
+  reject_all(kSlidesInSpace,
+             {{kSlidesInSpace.substr(kSlidesInSpace.find("center"), end - kSlidesInSpace.find("center")),
+               "center 10 -3/5 -4/5 -20 radius 1/8 1/64 1/64 1/2 alone 0 0 0 0 inverse 11 0 0 1 1 1 16/375 1 2 -4/125 "
+               "1 3 -3/10 2 1 -4/125 2 2 3/125 2 3 -2/5 3 0 -1/2 3 1 3/5 3 2 4/5 3 3 15/2 ",
+               "motion 0: contact 0: v may be negative"},
+              {kSlidesInSpace.substr(at, end - at), "inverse 0\n",
+               "motion 0: unknown 0: |I - R J| p is not less than its radius"}});
+  // What lifts is pushed by the contact that slides: u_N = r_N - 1.
+  reject_all(kThreeContacts, {{"9  0 0 1  1 1 1  2 2 1  3 3 1  4 0 1  4 3 1  4 4 1  5 3 1  5 5 1\nconstant 5",
+                               "9  0 4 1  1 1 1  2 2 1  3 3 1  4 0 1  4 3 1  4 4 1  5 3 1  5 5 1\nconstant -1",
+                               "motion 0: contact 0: u_N may be negative"}});
   const std::string open =
       replaced(replaced(kRestsOrLifts, "motion exact 0", "motion box modes open center radius alone inverse 0"),
                "known 0  1  -1", "known 0");
   reject_all(open, {{"constant 1", "constant -1", "motion 0: contact 0: u_N may be negative"}});
+}
+
+TEST_CASE("all solutions: motions that exist just so") {
+  const std::string one = "accepted: one motion and no other";
+  CHECK(established(replaced(kRestsInBox, "center 1", "center 5/4")) == one);  // |R f| = 1/4
+  const std::string touches = replaced(kTouches, "exact 0", "box modes open center radius alone inverse 0");
+  CHECK(established(replaced(touches, "known 0  0  -1", "known 0")) == one);  // u_N = 0
+  const std::string slowly = replaced(kSlidesInBox, "constant -1 2", "constant -1 5/8");
+  CHECK(established(replaced(slowly, "empty 1 1", "empty 1/2 1")) == one);  // u_T >= 0
+  const std::size_t box = kSlidesInSpace.find("motion"), tree = kSlidesInSpace.find("decide");
+  const std::string motion = kSlidesInSpace.substr(box, tree - box);
+  std::string wide = replaced(replaced(motion, "1/64 1/8", "1/64 10"), "alone 1/2 9/64 9/64 5/4", "alone 0 0 0 0");
+  wide = replaced(kSlidesInSpace, "all-solutions 1\n", "all-solutions 2\n" + wide);
+  reject_all(replaced(wide, "known 0", "known 1"), {{"1/64 10", "1/64 11", "motion 0: contact 0: v may be negative"}});
+  // As far as |I - R J| P + 2 |R| q(P) = P, and less.
+  reject_all(replaced(kSlidesInSpace, "9/64 5/4", "9/64 7084/6208"),
+             {{"9/64 7084/6208", "9/64 7083/6208", "motion 0: unknown 3: there may be two zeros within alone"}});
 }
 
 TEST_CASE("all solutions: what is known of a pattern is the motion of its mode, alone there") {

@@ -175,6 +175,29 @@ inline const std::string kSlidesInSpace =
     "    empty 0 0 1\n"
     "end\n";
 
+/// One contact lifts, one without friction rests and moves, one slides as in kSlides. Forces at the first and friction
+/// at the second would matter to the others.
+inline const std::string kThreeContacts =
+    "slipproof-contact 1\n"
+    "dimension 2 free 0 contacts 3\n"
+    "mu 1/2 0 1/2\n"
+    "matrix 9  0 0 1  1 1 1  2 2 1  3 3 1  4 0 1  4 3 1  4 4 1  5 3 1  5 5 1\n"
+    "constant 5 1  -1 3  -1 2\n"
+    "no-answer\n"
+    "all-solutions 1\n"
+    "motion box modes open closed slide+ center 1 1 radius 1/4 1/4 alone 1 1 inverse 2  0 0 1  1 1 1\n"
+    "decide 0\n"
+    "  decide 1\n"
+    "    empty 0 0 -1 0 0 0\n"
+    "    decide 2\n"
+    "      empty 0 0 0 0 -1 0\n"
+    "      slips 2\n"
+    "        empty 0 0 0 0 1 1\n"
+    "        known 0  0 0 -1 0 0 0  0 0 1 0 0 0  0 0 0 0 -1 0  0 0 0 0 1 0\n"
+    "        empty 0 0 0 0 0 1\n"
+    "  empty 1 0 0 0 0 0\n"
+    "end\n";
+
 /// u_N = -1 - r_N + 6/5 r_T1 + 8/5 r_T2 is at most -1 (kNoSolution).
 inline const std::string kNoMotion =
     "slipproof-contact 1\n"
