@@ -13,7 +13,7 @@
 #include "claims/reading/read_claims_file.hpp"
 #include "claims/sampling/sampler.hpp"
 #include "claims/sampling/solved_sample.hpp"
-#include "claims/statements/canonical_claims.hpp"
+#include "claims/canonical/canonical_claims.hpp"
 
 using namespace slipproof;
 

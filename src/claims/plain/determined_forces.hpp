@@ -2,7 +2,7 @@
 #pragma once
 
 #include "claims/paper/paper_scene.hpp"
-#include "claims/statements/plain_signs.hpp"
+#include "claims/plain/plain_signs.hpp"
 
 namespace slipproof {
 
