@@ -23,7 +23,7 @@ class ByteWriter {
   ByteWriter& number(std::uint64_t value);
   ByteWriter& real(double value);  ///< the bits of it
   ByteWriter& text(std::string_view value);
-  ByteWriter& rationals(const std::vector<Rational>& values);  ///< how many, and each as it is written
+  ByteWriter& rationals(const std::vector<Rational>& values);  ///< their number, then each as text
   std::string take() { return std::move(bytes_); }
 
  private:
@@ -39,7 +39,7 @@ class ByteReader {
   std::string_view text();
   std::vector<Rational> rationals();
   std::string_view rest() const { return rest_; }
-  void end() const;  ///< throws where more follows
+  void end() const;  ///< throws if bytes remain
 
  private:
   std::string_view next(std::uint64_t size);

@@ -1,7 +1,7 @@
 // Work by index: by the threads of this process, or by a crew of many ranks, the processes of one run, which share
 // nothing but files. Rank 0 writes lists of requests into its journal, as the work goes on. Rank r answers the requests
 // r, r + N, r + 2 N, ... of each list of N ranks, and keeps the results in a journal of its own. Rank 0 takes them from
-// all journals, in the order of the list; what a rank that is gone has not answered, it answers itself.
+// all journals, in the order of the list, and answers the requests of ranks that have died.
 //
 // Requests 0 to 5 of 2 ranks: rank 0 answers 0, 2, 4, and rank 1 answers 1, 3, 5. If rank 1 is killed while it works on
 // 3, rank 0 does 3 and 5 when it has done 4. If rank 0 is killed, rank 1 ends with the list; the same command goes on
@@ -23,32 +23,32 @@
 
 namespace slipproof {
 
-/// Answers a request, from many threads at once, on whichever rank: the same bytes everywhere.
+/// Answers a request. Called from several threads at once, on any rank; must return the same bytes on each.
 using Service = std::function<std::string(std::string_view request)>;
 
 struct CrewOptions {
   std::filesystem::path checkpoint;  ///< the journal of rank 0; rank r has CHECKPOINT.r
-  std::string work = {};             ///< as for Journal
+  std::string work = {};             ///< see Journal
   int rank = 0, ranks = 1;
-  unsigned threads = 0;  ///< of this rank; 0: all its cores
+  unsigned threads = 0;  ///< of this rank; 0 means one for each core
 };
 
-/// One rank of a run. On rank 0 each() may be called as often as is wanted, from one thread; serve() on the others.
+/// One rank of a run. On rank 0 one thread may call each() any number of times; the other ranks call serve().
 class Crew {
  public:
   /// Throws as Journal does.
   Crew(CrewOptions options, Service service);
 
-  /// On the other ranks: answers their share of each list, until rank 0 is gone. Says nothing of what fails: rank 0
-  /// meets it again.
+  /// Answers this rank's share of each list until rank 0 ends; not for rank 0. Ignores failures, since rank 0 repeats
+  /// such requests and reports them.
   void serve();
 
   /// Whether this rank, or another of this run or of an earlier one, has answered the request.
   bool has(std::string_view request) const;
 
-  /// On rank 0: calls take(i, result) for each request(i), i = 0, 1, ... count - 1, in this order. Results wait in the
-  /// journals, not in memory. Throws what the service throws for the first request that has no result; Stopped; and
-  /// whatever take() throws.
+  /// Calls take(i, result) for each request(i), i = 0, 1, ... count - 1, in this order; only for rank 0. Keeps waiting
+  /// results in the journals, not in memory. Throws the exception of the service for the first request without a
+  /// result, exceptions of take(), and Stopped.
   void each(std::uint64_t count, const std::function<std::string(std::uint64_t)>& request,
             const std::function<void(std::uint64_t, std::string)>& take);
 
@@ -64,9 +64,9 @@ class Crew {
   CrewOptions options_;
   Service service_;
   Journal own_;
-  std::map<int, Journal> others_;  ///< by rank, also of earlier runs with more ranks
+  std::map<int, Journal> others_;  ///< by rank, including ranks of earlier runs
   std::uint64_t lists_ = 0;        ///< handed out, or answered
-  mutable std::mutex mutex_;       ///< of the journals
+  mutable std::mutex mutex_;       ///< guards the journals
   std::chrono::steady_clock::time_point flushed_ = std::chrono::steady_clock::now();
 };
 

@@ -30,7 +30,8 @@ class Journal {
 
   /// Whether a process that writes this file lives.
   static bool is_written(const std::filesystem::path& path);
-  /// Of another's journal: reads what has been added since. Throws InputError.
+  /// Reads the results that another process has added since the last call; for a journal opened read-only. Throws
+  /// InputError.
   void refresh();
 
   bool has(std::string_view request) const;
@@ -55,8 +56,8 @@ class Journal {
   std::filesystem::path path_;
   std::string head_;  ///< the first bytes of the file
   Descriptor file_{-1};
-  std::uint64_t end_ = 0;                                   ///< of the results that were read; 0: not even the head was
-  std::map<std::string, ResultPlace, std::less<>> places_;  ///< by the request's digest
+  std::uint64_t end_ = 0;  ///< end of the results read so far, in bytes; 0 before the head is read
+  std::map<std::string, ResultPlace, std::less<>> places_;  ///< by digest of the request
 };
 
 }  // namespace slipproof

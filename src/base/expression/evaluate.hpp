@@ -34,15 +34,16 @@ inline Truth negation(Truth x) {
 template <class T>
 struct Value {
   std::optional<T> number;
-  Failure failure = Failure::undefined;  ///< if there is no number
+  Failure failure = Failure::undefined;  ///< why there is no number
 };
 
-/// How the evaluator computes with T beyond + - * / and unary -. Specialise, or pass an object with these members.
+/// The operations on T that the evaluator needs beyond + - * / and unary -. Specialise it, or pass an object with the
+/// same members.
 template <class T>
 struct FieldOf {
   T constant(const Rational& value) const { return T(value); }
   bool is_zero(const T& x) const { return sign(x) == 0; }
-  /// -1, 0, +1 as x < y, x = y, x > y; nothing where the order is not decided.
+  /// The sign of x - y: -1, 0 or +1; nothing if it is undecided.
   std::optional<int> compare(const T& x, const T& y) const { return sign(T(x - y)); }
 };
 
@@ -125,7 +126,7 @@ class Evaluator {
     return cell.number ? &*cell.number : fail(cell.failure);
   }
 
-  // The value of an instruction, where it already is or in `scratch`; null with failure_ set if there is none.
+  // Returns the value of an instruction, in place or in `scratch`. If there is none, returns null and sets failure_.
   const T* number(const Program& program, std::uint32_t index, std::optional<T>& scratch) {
     const Program::Instruction& instruction = program.code()[index];
     switch (instruction.operation) {

@@ -23,7 +23,7 @@ enum class Operation : std::uint8_t {
   subtract,
   multiply,
   divide,
-  power,  ///< with a fixed integer exponent
+  power,  ///< the exponent is a fixed integer
   absolute,
   signum,  ///< -1, 0 or +1
   minimum,
@@ -36,13 +36,13 @@ enum class Operation : std::uint8_t {
   logical_or
 };
 
-/// What an expression denotes.
+/// The type of the value of an expression.
 enum class Sort : std::uint8_t { number, truth };
 
 enum class Relation : std::uint8_t { less, less_equal, greater, greater_equal, equal, not_equal };
 
 std::string_view spelling(Relation relation);  ///< `<`, `<=`, ...
-/// Whether `left relation right` holds, from the sign of left - right.
+/// Whether `left relation right` holds, given the sign of left - right.
 bool holds(Relation relation, int sign_of_difference);
 
 struct Node;
@@ -54,7 +54,7 @@ struct Node {
   std::size_t column = 0;            ///< position in the text it was read from, from 1; not part of its value
   std::vector<Expression> operands;  ///< one, two, or one more than `relations`
   std::vector<Relation> relations;   ///< of a comparison
-  Rational number;                   ///< of a literal, >= 0
+  Rational number;                   ///< value of a literal, >= 0
   std::string symbol;                ///< name
   int exponent = 0;
   bool truth = false;
@@ -77,7 +77,7 @@ bool same(const Expression& a, const Expression& b);
 /// Text that reads back as the same tree, with no more parentheses than that needs.
 std::string to_string(const Expression& expression);
 
-/// How tightly an operation binds, from loose to tight, as in the grammar of parser.hpp.
+/// Precedence of an operation, loosest first, as in the grammar of parser.hpp.
 enum class Binding : std::uint8_t {
   loosest,
   disjunction,

@@ -1,5 +1,5 @@
-// Programs at rational points, asked in binary64 first: exact arithmetic decides only where the bounds on the errors
-// leave a truth open, and gives all values.
+// Evaluates programs at rational points. Truth values are tried in binary64 with error bounds first, and computed
+// exactly only if the bounds leave them undecided. Numbers are always exact.
 #pragma once
 
 #include <vector>
@@ -17,7 +17,7 @@ struct FieldOf<Approximate> {
   std::optional<int> compare(const Approximate& x, const Approximate& y) const { return sure_sign(x - y); }
 };
 
-/// The same truths and values as Evaluator<Rational>. Not shared between threads.
+/// Gives the same truths and values as Evaluator<Rational>. Not for use by several threads.
 class FilteredEvaluator {
  public:
   /// The scope must outlive the evaluator.

@@ -15,23 +15,23 @@ namespace slipproof {
 /// Not shared between threads.
 class SureCondition {
  public:
-  /// The point has so many coordinates, with slots from `first` on.
+  /// `coordinates` is the number of coordinates of the point; their slots begin at `first`.
   SureCondition(const Scope& scope, const Program& condition, std::size_t first, std::size_t coordinates);
 
-  /// Before the truth is asked for again: all coordinates are others, or one.
+  /// Call one of these before the next truth(): all coordinates have changed, or one.
   void all_changed() { stale_ = coordinates_; }
   void changed(std::size_t coordinate) {
     if (stale_ == coordinate || behind_[coordinate].empty()) return;
     stale_ = stale_ == nothing() ? coordinate : coordinates_;
   }
 
-  /// Yes or no where that is sure; undecided where the bounds leave it open or something has no value.
+  /// Returns yes or no if the error bounds prove it; undecided otherwise, and where an expression has no value.
   Truth truth(const std::vector<Approximate>& point) {
     if (stale_ != nothing()) run(point);
     return results_.back().truth;
   }
-  /// The only value of a coordinate for which the condition can hold, if an equation in it gives this value without
-  /// using the coordinate; null if there is none. For the point at which the truth was last computed.
+  /// The only value of a coordinate for which the condition can hold, if one of its equations gives this value without
+  /// using the coordinate; otherwise null. Refers to the point of the last call of truth().
   const Approximate* demanded(std::size_t coordinate) const {
     return demands_[coordinate] ? &results_[*demands_[coordinate]].number : nullptr;
   }
@@ -61,7 +61,7 @@ class SureCondition {
   /// The steps to be done when a coordinate changed; and last when several did.
   std::vector<std::vector<std::uint32_t>> behind_;
   std::size_t stale_;                                  ///< its place there, or nothing()
-  std::vector<std::optional<std::uint32_t>> demands_;  ///< for each coordinate the step that it must equal
+  std::vector<std::optional<std::uint32_t>> demands_;  ///< by coordinate, the step whose value it must equal
 };
 
 }  // namespace slipproof

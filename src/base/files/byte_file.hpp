@@ -18,7 +18,7 @@ class PlacedBytes {
   explicit PlacedBytes(std::string name) : name_(std::move(name)) {}
   virtual ~PlacedBytes() = default;
 
-  /// How messages call them.
+  /// The name of the file in messages.
   const std::string& name() const { return name_; }
   std::uint64_t size() const { return size_; }
   /// Throws InputError where the bytes are not there.

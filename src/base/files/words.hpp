@@ -11,13 +11,13 @@
 
 namespace slipproof {
 
-/// Problems at real size are as long as they are; what is longer than this is refused.
+/// Longest accepted file with a contact problem, in bytes; real problems are shorter.
 inline constexpr std::size_t max_problem_file_size = std::size_t{1} << 29U;
 
-/// Where a text ceased to be what it was read as.
+/// The place and message of the first mistake in a text. Thrown by readers, caught by the code that knows the file.
 struct FormatStop {
   std::size_t position = 0;  ///< a byte of the text
-  std::string message;       ///< what was found and what was expected
+  std::string message;       ///< found ..., expected ...
 };
 
 /// The binary64 nearest to a decimal, an infinity beyond its range; nan, inf and infinity in any case. Nothing for what
@@ -29,7 +29,7 @@ Place place_in(std::string_view text, std::size_t position);
 
 /// Throws InputError with the place of the stop.
 [[noreturn]] void refuse(const std::string& file, std::string_view text, const FormatStop& stop);
-/// The same without a place in a text.
+/// The same without a place in the text.
 [[noreturn]] void refuse(const std::string& file, const std::string& message);
 
 /// Throws InputError where there are more numbers than expected, before room is made for them.
@@ -44,7 +44,7 @@ class WordReader {
   /// The next word; empty at the end of the text.
   std::string_view peek();
   std::string_view next();
-  /// Of the next word.
+  /// The position of the next word.
   std::size_t position();
   /// The rest of the line. Consumes the line end, too.
   std::string_view rest_of_line();
