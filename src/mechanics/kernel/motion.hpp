@@ -72,7 +72,7 @@ struct MotionsAtLoad {
 /// All modes of the motions that a continuum contains.
 std::vector<MechanismMode> modes_in(const MotionsAtLoad& found, const ContinuumAtLoad& continuum);
 
-/// A motion over a set of loads; without the numbers where they were not asked for.
+/// A motion over a set of loads; without numbers if only modes were requested.
 struct MotionOverLoads {
   std::vector<MechanismMode> modes, boundary_modes;
   std::vector<Affine<Rational>> accelerations;          ///< of the load
