@@ -35,12 +35,12 @@ struct SmallJudgement {
   ContactVerdict verdict = ContactVerdict::undecided;  ///< unique, ambiguous, inaccurate, wrong or undecided
   ProblemMode looks_like;                              ///< the mode that the answer claims, or suggests
   std::optional<ContactSolutions> all;                 ///< nothing where finding them is beyond the effort
-  std::vector<std::vector<Rational>> members;          ///< of each continuum in `all` the one nearest to the answer
+  std::vector<std::vector<Rational>> members;  ///< for each continuum in `all`, its solution nearest to the answer
   std::optional<Meant> meant;
   std::optional<EveryLoad::Reason> unique_by;  ///< the theorem by which no other mode was tried
-  /// What the mode `looks_like` gives: of a wrong answer, and where not all solutions are known.
+  /// The outcome of the mode `looks_like`, for a wrong answer, or if not all solutions are known.
   std::optional<ModeOutcome> own;
-  Work needed = 0;  ///< where not all are known: what that would take, endless if unknown
+  Work needed = 0;  ///< if not all solutions are known: the work that it would take; unlimited if unknown
 
   /// Whether `meant` is near enough to say that the answer means it.
   bool near() const;

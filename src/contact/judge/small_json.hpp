@@ -9,7 +9,7 @@ namespace slipproof {
 /// The members `found`, one for each solution, and `continua`, if there are any, each with its point nearest to the
 /// answer. All solutions must be known.
 void add_solutions(const ContactProblem& problem, const SmallJudgement& found, Json& to);
-/// What is wrong with the mode that the answer claims (`claimed`) or suggests (`looks_like`): `violated`, `margin`,
+/// Adds why the mode that the answer claims (`claimed`) or suggests (`looks_like`) fails: `violated`, `margin`,
 /// `reason`. It must have been solved (`SmallJudgement::own`).
 void add_own_mode(const ContactProblem& problem, const ProblemAnswer& answer, const SmallJudgement& found, Json& to);
 

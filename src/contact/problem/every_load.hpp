@@ -1,4 +1,4 @@
-// Whether a contact problem has exactly one solution for every constant q, that is, whatever else pushes the bodies.
+// Decides whether a contact problem has exactly one solution for every constant q, that is, under every load.
 //
 // Let a problem be w = W z + q. In each mode the equations that the mode adds make a matrix. Its determinant, the mode
 // determinant, is that of W with the rows of T replaced by T = -mu N where the mode slips, and those of N and T by N =

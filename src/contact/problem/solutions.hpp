@@ -56,8 +56,8 @@ struct ContactSolutions {
 /// checked by mistake_in() and must outlive it; immutable once made.
 class ContactSolver {
  public:
-  /// What is done unless more is asked for: a second or two.
-  static constexpr Work usual_effort = 1'500'000'000;
+  /// The default effort: one or two seconds.
+  static constexpr Work default_effort = 1'500'000'000;
 
   explicit ContactSolver(const ContactProblem& problem);
   ContactSolver(const ContactSolver&) = delete;

@@ -24,7 +24,7 @@ struct Compliance {
 /// One run, step by step. Starts where the springs carry what pushes without the load.
 class CompliantMotion {
  public:
-  /// Steps are so many parts of the fastest vibration's radian.
+  /// The number of time steps in one radian of the fastest vibration.
   static constexpr double usual_step = 0.1;
 
   /// Throws std::invalid_argument, with a message for people, where the bodies do not stay at rest without the load,
