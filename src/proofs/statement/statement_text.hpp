@@ -17,15 +17,15 @@ namespace slipproof {
 struct NamedStatement {
   std::string name;
   std::string text;
-  bool refutes = false;  ///< at a bicycle where it is false, its claim is wrong (and does not just lack a value)
+  bool refutes = false;  ///< where the statement is false, its claim is wrong (and does not merely lack a value)
 };
 
 /// A line after `theorem`.
 struct Directive {
   enum class Kind : std::uint8_t { real, let, define, assume, exists, show };
   Kind kind = Kind::show;
-  std::size_t line = 0;            ///< of the file, from 1
-  std::vector<std::string> names;  ///< of the variables; of what is abbreviated or assumed: one
+  std::size_t line = 0;            ///< line in the file, from 1
+  std::vector<std::string> names;  ///< the variables; or the one name that is abbreviated or assumed
   Expression body;                 ///< an expression of `let`, otherwise a formula; null of `real` and `exists`
 };
 
@@ -42,7 +42,7 @@ struct StatementText {
   std::vector<SplitHint> hints;
 };
 
-/// Of a statement, in all its lines `real` and `exists`.
+/// The largest number of variables in all lines `real` and `exists` of a statement.
 constexpr std::size_t max_statement_variables = 64;
 
 /// Reads the content of a file. Throws InputError with the first mistake of every line.
