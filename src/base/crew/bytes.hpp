@@ -11,17 +11,17 @@
 
 namespace slipproof {
 
-/// Bytes that do not hold what was to be read.
+/// Thrown if bytes do not contain the expected values.
 class BrokenBytes : public std::runtime_error {
  public:
   BrokenBytes() : std::runtime_error("found bytes that end too early, or go on too long") {}
 };
 
-/// Numbers take eight bytes, the lowest first, on every machine; texts their length before them.
+/// Writes numbers as eight bytes, lowest first, on every machine, and texts preceded by their length.
 class ByteWriter {
  public:
   ByteWriter& number(std::uint64_t value);
-  ByteWriter& real(double value);  ///< the bits of it
+  ByteWriter& real(double value);  ///< its bits
   ByteWriter& text(std::string_view value);
   ByteWriter& rationals(const std::vector<Rational>& values);  ///< their number, then each as text
   std::string take() { return std::move(bytes_); }
@@ -30,7 +30,7 @@ class ByteWriter {
   std::string bytes_;
 };
 
-/// Reads in the same order; the bytes must outlive it. Throws BrokenBytes.
+/// Reads values in the order in which they were written; the bytes must outlive it. Throws BrokenBytes.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : rest_(bytes) {}

@@ -36,7 +36,7 @@ struct CrewOptions {
 /// One rank of a run. On rank 0 one thread may call each() any number of times; the other ranks call serve().
 class Crew {
  public:
-  /// Throws as Journal does.
+  /// Opens the journals. Throws like Journal.
   Crew(CrewOptions options, Service service);
 
   /// Answers this rank's share of each list until rank 0 ends; not for rank 0. Ignores failures, since rank 0 repeats
@@ -65,14 +65,15 @@ class Crew {
   Service service_;
   Journal own_;
   std::map<int, Journal> others_;  ///< by rank, including ranks of earlier runs
-  std::uint64_t lists_ = 0;        ///< handed out, or answered
+  std::uint64_t lists_ = 0;        ///< number of lists handed out or answered
   mutable std::mutex mutex_;       ///< guards the journals
   std::chrono::steady_clock::time_point flushed_ = std::chrono::steady_clock::now();
 };
 
-/// take(i, answer to request(i)) for i = 0, 1, ... count - 1, one at a time. Without a crew `service` answers, on the
-/// threads of the caller's on_threads(), and results are taken as they come unless `in_order`; with one, whose service
-/// it must be, they are taken in order. What is thrown is as of Crew::each(); without a crew what any of them throws.
+/// Calls take(i, answer to request(i)) for i = 0, 1, ... count - 1, one at a time. Without a crew, `service` answers on
+/// the threads of the caller's on_threads(), and results are taken in order of completion unless `in_order`. With a
+/// crew, which must have the same service, they are taken in order. Throws like Crew::each(); without a crew, passes on
+/// any exception.
 void share(Crew* crew, const Service& service, std::uint64_t count,
            const std::function<std::string(std::uint64_t)>& request,
            const std::function<void(std::uint64_t, std::string)>& take, bool in_order = false);

@@ -9,7 +9,8 @@
 
 namespace slipproof {
 
-/// Unsure comparisons are undecided; a divisor that may be 0 gives a quotient about which nothing is sure.
+/// Comparisons that the error bounds do not decide are undecided; a quotient whose divisor may be 0 has an infinite
+/// error.
 template <>
 struct FieldOf<Approximate> {
   Approximate constant(const Rational& value) const { return Approximate(value); }
@@ -23,7 +24,7 @@ class FilteredEvaluator {
   /// The scope must outlive the evaluator.
   explicit FilteredEvaluator(const Scope& scope) : approximate_(scope), exact_(scope) {}
 
-  /// Forgets all values and gives the symbols from `first` on theirs, which must stay until the next time.
+  /// Forgets all values, and sets those of the symbols from `first` on; the values must stay valid until the next call.
   void set(std::size_t first, const std::vector<Rational>& values) {
     approximate_.reset();
     for (std::size_t k = 0; k < values.size(); ++k) approximate_.set(first + k, Approximate(values[k]));

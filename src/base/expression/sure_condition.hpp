@@ -12,7 +12,7 @@
 
 namespace slipproof {
 
-/// Not shared between threads.
+/// A condition evaluated with error bounds, incrementally. Not for use by several threads.
 class SureCondition {
  public:
   /// `coordinates` is the number of coordinates of the point; their slots begin at `first`.
@@ -44,7 +44,7 @@ class SureCondition {
     std::uint32_t first, second;  ///< other steps, or a coordinate
   };
   struct Result {
-    Approximate number{0, std::numeric_limits<double>::infinity()};  ///< nothing is sure of it
+    Approximate number{0, std::numeric_limits<double>::infinity()};  ///< infinite error: nothing known
     Truth truth = Truth::undecided;
   };
   class Writer;
@@ -58,7 +58,7 @@ class SureCondition {
   std::size_t coordinates_;
   std::vector<Step> steps_;
   std::vector<Result> results_;  ///< by step
-  /// The steps to be done when a coordinate changed; and last when several did.
+  /// The steps to repeat, by changed coordinate; last, those for several.
   std::vector<std::vector<std::uint32_t>> behind_;
   std::size_t stale_;                                  ///< its place there, or nothing()
   std::vector<std::optional<std::uint32_t>> demands_;  ///< by coordinate, the step whose value it must equal

@@ -12,8 +12,8 @@
 
 namespace slipproof {
 
-/// A Quotient has + - * /, equality by value, and a function divisor_of(quotient): what vanishes where it does, a
-/// Divisor with ==; nothing if that is a constant.
+/// Requires of Quotient: + - * /, equality by value, and divisor_of(quotient), which returns a Divisor with == that
+/// vanishes exactly where the quotient does, or nothing for a constant.
 template <class Quotient, class Divisor>
 class WithDivisors {
  public:

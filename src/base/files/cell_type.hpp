@@ -11,10 +11,10 @@ struct CellType {
   enum class Kind : std::uint8_t {
     real,     ///< binary64 or binary32
     integer,  ///< 1, 2, 4 or 8 bytes, two's complement
-    natural,  ///< the same without a sign
+    natural,  ///< unsigned, 1, 2, 4 or 8 bytes
     bytes,    ///< text, one byte a character, zero bytes after its end
     utf32,    ///< text, four bytes a character
-    other     ///< nothing that is read here
+    other     ///< a type that is not supported
   };
   Kind kind = Kind::other;
   std::size_t size = 0;  ///< bytes
@@ -24,7 +24,7 @@ struct CellType {
   bool is_number() const { return kind <= Kind::natural; }
   bool is_integer() const { return kind == Kind::integer || kind == Kind::natural; }
   bool is_text() const { return kind == Kind::bytes || kind == Kind::utf32; }
-  /// The very bytes of a double of this machine.
+  /// True if the cells have the format of a double of this machine.
   bool is_native() const;
 };
 

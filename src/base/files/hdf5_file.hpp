@@ -22,7 +22,7 @@ inline constexpr const char* without_hdf5 =
 /// allocated than they can describe. All functions throw InputError, with the path in the message.
 class Hdf5File {
  public:
-  /// `file` is how messages call it. Throws, too, if the program was built without HDF5.
+  /// `file` is its name in messages. Also throws if the program was built without HDF5.
   Hdf5File(const std::string& bytes, std::string file);
   Hdf5File(const Hdf5File&) = delete;
   Hdf5File& operator=(const Hdf5File&) = delete;
@@ -33,9 +33,9 @@ class Hdf5File {
   /// The number of objects in a group.
   std::size_t size_of_group(const std::string& path) const;
   std::int64_t integer(const std::string& path) const;
-  /// Numbers of up to one dimension; those of unsigned types that do not fit come as the largest.
+  /// Integers in at most one dimension; unsigned ones that do not fit become the largest.
   std::vector<std::int64_t> integers(const std::string& path) const;
-  /// binary32, binary64 and integers that it holds exactly.
+  /// Numbers that are binary32, binary64, or integers that binary64 represents exactly.
   std::vector<double> reals(const std::string& path) const;
   /// The same for a data set that may have been created but never written, which the library reads as zeros; sets
   /// `written` accordingly. All other functions refuse such a data set. Refuses more than `most` numbers before it

@@ -9,7 +9,7 @@
 
 namespace slipproof {
 
-/// A value. Its texts are those of the source and of the tree, which must outlive it.
+/// A JSON value. Refers to texts in the source and in the tree, which must outlive it.
 struct JsonNode {
   enum class Kind : std::uint8_t { null, truth, number, text, list, object };
   Kind kind = Kind::null;

@@ -20,23 +20,24 @@ struct FormatStop {
   std::string message;       ///< found ..., expected ...
 };
 
-/// The binary64 nearest to a decimal, an infinity beyond its range; nan, inf and infinity in any case. Nothing for what
-/// is neither.
+/// The binary64 nearest to a decimal, an infinity beyond its range; nan, inf and infinity in any case. Nothing for any
+/// other text.
 std::optional<double> read_binary64(std::string_view word);
 
 /// Line and column of a byte.
 Place place_in(std::string_view text, std::size_t position);
 
-/// Throws InputError with the place of the stop.
+/// Throws InputError with the place of `stop`.
 [[noreturn]] void refuse(const std::string& file, std::string_view text, const FormatStop& stop);
 /// The same without a place in the text.
 [[noreturn]] void refuse(const std::string& file, const std::string& message);
 
-/// Throws InputError where there are more numbers than expected, before room is made for them.
+/// Throws InputError if there are more numbers than expected, before memory is allocated for them.
 void refuse_more(const std::string& file, const std::string& where, std::uint64_t found,
                  std::optional<std::size_t> expected);
 
-/// Words are what blanks and line ends part. What is not as expected throws FormatStop; `expected` is its name there.
+/// Splits a text into words at blanks and line ends. Throws FormatStop for an unexpected word; `expected` describes the
+/// expected one.
 class WordReader {
  public:
   explicit WordReader(std::string_view text, std::size_t position = 0) : text_(text), position_(position) {}
@@ -54,10 +55,10 @@ class WordReader {
   std::size_t count(std::string_view expected);
   double finite_number(std::string_view expected);
   double number(std::string_view expected);
-  /// Takes this very word.
+  /// Reads exactly this word.
   void word(std::string_view expected);
 
-  /// Stops at the next word.
+  /// Throws FormatStop at the next word.
   [[noreturn]] void stop(const std::string& expected);
 
  private:

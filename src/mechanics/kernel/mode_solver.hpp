@@ -33,10 +33,10 @@ class ModeSolver {
   /// The consistent modes, without reasons for the others. Without an effort, a filter in binary64 excludes most of the
   /// others.
   std::vector<ConsistentMode> consistent(Effort* effort = nullptr) const;
-  /// Those of some modes, with a state for each element, in the order in which they are given.
+  /// The consistent ones among some modes, with a state for each element, in the given order.
   std::vector<ConsistentMode> consistent_among(const std::vector<MechanismMode>& modes) const;
-  /// One mode, with a state for each element. A rejected one has a single condition with its margin if one fails for
-  /// all forces; if not, no fewer of the conditions exclude each other.
+  /// One mode, with a state for each element. If it is rejected, reports a single condition with its margin if one
+  /// fails for all forces, otherwise a minimal set of conditions that exclude each other.
   ModesOf one(const MechanismMode& mode, Effort* effort = nullptr) const;
 
   /// The work of a mode that leaves this number of unknowns to elimination, without linear programs.
@@ -44,7 +44,7 @@ class ModeSolver {
 
  private:
   enum class Rejected { reported, left_out };
-  /// What the filter excludes is rejected without a reason.
+  /// Finds the modes with these states. Gives no reason for those that the filter excludes.
   ModesOf among(const StatesOfElements& states, Rejected rejected, Effort* effort,
                 const ModeFilter* filter = nullptr) const;
   ModeFilter filter() const { return {problem_, load_, domain_, states_}; }
@@ -59,11 +59,11 @@ class ModeSolver {
 /// For each of `elements` elements, the states that it has in some of the modes.
 StatesOfElements states_in(const std::vector<MechanismMode>& modes, std::size_t elements);
 
-/// By a solver for this once.
+/// Finds the modes with a solver that is used once.
 ModesOf modes_of(const FrictionProblem& problem, const std::optional<Rational>& load);
 ModesOf mode_of(const FrictionProblem& problem, const MechanismMode& mode, const std::optional<Rational>& load);
 
-/// The same problem with the equations solved: only what they leave free is unknown.
+/// The problem with its equations solved: only their free unknowns remain.
 FrictionProblem without_equations(const FrictionProblem& problem);
 
 }  // namespace slipproof

@@ -23,13 +23,13 @@ struct MergedModes {
 MergedModes merge(const FrictionProblem& problem, const std::vector<ConsistentMode>& consistent,
                   Effort* effort = nullptr);
 
-/// What is found of more than max_tried modes (kinematic_modes.hpp).
+/// The result for more than max_tried modes (kinematic_modes.hpp).
 enum class Listing : std::uint8_t {
   motions,  ///< every motion, by kinematics, with some of its modes
   modes     ///< every mode, if every_mode() has them; if not, as before
 };
 
-/// All motions at a load, which need not be of the domain; a problem without a load takes none. Throws TooMuchWork
+/// All motions at a load, which may lie outside the domain; a problem without a load takes none. Throws TooMuchWork
 /// beyond kinematic_effort.
 MotionsAtLoad motions_of(const FrictionProblem& problem, const std::optional<Rational>& load,
                          Listing listing = Listing::motions);
