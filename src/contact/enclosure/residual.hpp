@@ -25,8 +25,8 @@ struct Residual {
   /// Backward error: the problem whose constants differ by at most `change` in each component is solved exactly by a
   /// point at most `moved` from the answer in each component. Forces just outside of their cones are moved into them.
   double change = 0, moved = 0;
-  double scale = 1;  ///< size of velocities at contacts: the largest |q_i| (sizes.hpp); if all are 0, the size that the
-                     ///< forces give
+  /// Size of velocities at contacts: the largest |q_i| (sizes.hpp); if all are 0, the size that the forces give.
+  double scale = 1;
   /// The largest change of a row over the size of its kind: `scale`, or for a free row its own.
   double relative = 0;
   std::vector<FittedContact> contacts;

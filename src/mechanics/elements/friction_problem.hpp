@@ -26,10 +26,9 @@ using ProblemElement = ElementForms<AffineForm>;
 /// the load after them (0 in a problem without one).
 struct FrictionProblem {
   std::size_t unknowns = 0;
-  std::vector<AffineForm> equations;  ///< vanish in every mode
-  std::vector<AffineForm>
-      accelerations;               ///< what determines a motion: unknown accelerations, gap and slip accelerations
-  std::vector<AffineForm> forces;  ///< further quantities to report; may be undetermined
+  std::vector<AffineForm> equations;      ///< vanish in every mode
+  std::vector<AffineForm> accelerations;  ///< of a motion: unknown, gap and slip accelerations
+  std::vector<AffineForm> forces;         ///< further quantities to report; may be undetermined
   std::vector<ProblemElement> elements;
   bool has_load = false;
   ForceInterval load_domain;  ///< the loads to consider

@@ -83,9 +83,9 @@ struct MechanismUnknown {
 struct MechanismEquation {
   std::string name;
   PlacedExpression left, right;  ///< as in the file
-  Expression contact_forces;  ///< contact forces on the right side, by virtual work; null in a file with [equations],
-                              ///< or if there are none
-  SymbolicForm form;          ///< left - right - contact forces
+  /// Contact forces on the right side, by virtual work; null in a file with [equations], or if there are none.
+  Expression contact_forces;
+  SymbolicForm form;  ///< left - right - contact forces
 
   /// The right side with all forces.
   Expression whole_right() const;
@@ -118,9 +118,8 @@ struct MechanismFriction {
   PlacedExpression static_limit, kinetic_limit;
   ElementKind::Start start = ElementKind::Start::rest;
   std::string slip_name;
-  std::optional<std::size_t>
-      contact;  ///< the contact whose normal force limits it, as for rolling resistance (ElementKind::contact)
-  std::size_t force = 0;  ///< among the unknowns
+  std::optional<std::size_t> contact;  ///< that limits it, as for rolling resistance (ElementKind::contact)
+  std::size_t force = 0;               ///< among the unknowns
   SymbolicForm slip_form, static_form, kinetic_form;
   Place place;
 };
@@ -157,10 +156,9 @@ struct Mechanism {
   std::vector<MechanismAngle> angles;
   std::optional<MechanismLoad> load;
   std::vector<MechanismUnknown> unknowns;  ///< accelerations, forces, then those of contacts, friction elements, links
-  std::size_t accelerations = 0,
-              forces = 0;        ///< numbers of unknown accelerations, and of forces that belong to no element
-  bool by_virtual_work = false;  ///< the file has [motion], not [equations]
-  bool reciprocal = true;        ///< false: the file says that its matrix is not symmetric on purpose
+  std::size_t accelerations = 0, forces = 0;  ///< numbers of unknown accelerations; of forces of no element
+  bool by_virtual_work = false;               ///< the file has [motion], not [equations]
+  bool reciprocal = true;                     ///< false: the file says that its matrix is not symmetric on purpose
   std::vector<MechanismEquation> equations;
   std::vector<MechanismContact> contacts;
   std::vector<MechanismFriction> friction;
