@@ -8,12 +8,12 @@
 #include <random>
 #include <set>
 
+#include "claims/canonical/canonical_claims.hpp"
 #include "claims/judge/judge.hpp"
 #include "claims/mutation/claims_mutants.hpp"
 #include "claims/reading/read_claims_file.hpp"
 #include "claims/sampling/sampler.hpp"
 #include "claims/sampling/solved_sample.hpp"
-#include "claims/canonical/canonical_claims.hpp"
 
 using namespace slipproof;
 
