@@ -1,4 +1,4 @@
-#include "claims/statements/canonical_claims.hpp"
+#include "claims/canonical/canonical_claims.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
