@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/files/json_tree.hpp"
 #include "base/number/parse.hpp"
@@ -50,6 +51,27 @@ class JsonProblem {
   /// Calls put(number) for each item of a list. The same.
   void each_number(const JsonNode& list, const std::string& where,
                    const std::function<void(const JsonNode&)>& put) const;
+  /// The results of number(item) for each item of a list. The same.
+  template <class Number>
+  auto numbers(const JsonNode& list, const std::string& where, const Number& number) const {
+    std::vector<decltype(number(list))> result;
+    each_number(list, where, [&](const JsonNode& item) { result.push_back(number(item)); });
+    return result;
+  }
+  /// Coefficients of friction for all contacts, from `mu`: a list, or one number for all. Sets the contacts' dimension.
+  /// The same.
+  template <class Number>
+  auto coefficients(std::size_t components, std::size_t& dimension, const Number& number) const {
+    const JsonNode& mu = need("mu", "a coefficient of friction, or one for each contact");
+    if (mu.kind == JsonNode::Kind::list) {
+      auto each = numbers(mu, "mu", number);
+      dimension = this->dimension(components, each.size());
+      return each;
+    }
+    const auto common = at(mu, "mu", [&] { return number(mu); });
+    dimension = this->dimension(components, std::nullopt);
+    return std::vector<decltype(number(mu))>(components / dimension, common);
+  }
   /// Calls put(row, column, number) for each entry of a matrix, dense or sparse, of this size. The same.
   using PutEntry = std::function<void(std::size_t, std::size_t, const JsonNode&)>;
   void each_entry(const std::string& name, std::size_t rows, std::size_t columns, const PutEntry& put) const;
