@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "claims/statements/truth_text.hpp"
+#include "claims/statements/formulas.hpp"
 
 namespace slipproof {
 

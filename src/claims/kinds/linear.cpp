@@ -1,6 +1,6 @@
 #include "claims/kinds/linear.hpp"
 
-#include "claims/statements/truth_text.hpp"
+#include "claims/statements/formulas.hpp"
 
 namespace slipproof {
 

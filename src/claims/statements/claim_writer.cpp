@@ -7,7 +7,7 @@
 #include <map>
 
 #include "base/expression/logic.hpp"
-#include "claims/statements/truth_text.hpp"
+#include "claims/statements/formulas.hpp"
 #include "proofs/statement/zero_divisors.hpp"
 
 namespace slipproof {

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "claims/plain/determined_forces.hpp"
-#include "claims/statements/truth_text.hpp"
+#include "claims/statements/formulas.hpp"
 
 namespace slipproof {
 

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "base/expression/logic.hpp"
-#include "claims/statements/truth_text.hpp"
+#include "claims/statements/formulas.hpp"
 
 namespace slipproof {
 

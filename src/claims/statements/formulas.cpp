@@ -1,9 +1,8 @@
-#include "claims/statements/truth_text.hpp"
+#include "claims/statements/formulas.hpp"
 
 #include <vector>
 
 #include "base/expression/logic.hpp"
-#include "proofs/statement/statement_text.hpp"
 
 namespace slipproof {
 
@@ -64,11 +63,6 @@ Expression formula_of(const Expression& truth, const OfExpression& defined) {
 
 Expression written_number(const Expression& number, const OfExpression& defined) {
   return has_function(number) ? nullptr : written(with_quotients(number), defined);
-}
-
-std::optional<std::string> truth_text(const Expression& truth, const OfExpression& defined) {
-  const Expression formula = formula_of(truth, defined);
-  return formula ? std::optional(formula_text(formula)) : std::nullopt;
 }
 
 std::string in_ascii(const std::string& text) {

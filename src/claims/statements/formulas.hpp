@@ -1,9 +1,8 @@
 // Conditions and numbers of claims in the syntax of statements, which has no `not`, no functions, no decimals, and no
-// exponents below 1. The text of a condition holds exactly where the condition is true: in a statement a comparison
+// exponents below 1. The formula of a condition holds exactly where the condition is true: in a statement a comparison
 // holds only where all its divisors differ from 0, and in a claim it has a value only there.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "base/expression/cases.hpp"
@@ -19,9 +18,6 @@ Expression written_number(const Expression& number, const OfExpression& defined 
 
 /// `0 = 0`
 Expression plainly_true();
-
-/// The text of formula_of(), or nothing.
-std::optional<std::string> truth_text(const Expression& truth, const OfExpression& defined = has_no_division);
 
 /// The expression with decimals as quotients of whole numbers.
 Expression with_quotients(const Expression& e);
