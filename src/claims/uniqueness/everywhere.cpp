@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/expression/logic.hpp"
+#include "base/input/diagnostic.hpp"
 #include "claims/statements/formulas.hpp"
 #include "claims/uniqueness/written_matrix.hpp"
 #include "mechanics/kernel/mode_solver.hpp"
@@ -217,6 +218,11 @@ class StatementWriter {
     if (!formula) return give_up();
     statement.show(formula);
     result_.statements.push_back({"unique." + name, statement.text(), {}});
+    try {
+      read_statement(name, result_.statements.back().text);
+    } catch (const InputError&) {  // longer than statements may be
+      give_up();
+    }
   }
 
   void give_up() { complete_ = false; }
