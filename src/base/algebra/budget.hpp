@@ -12,16 +12,16 @@
 
 namespace slipproof {
 
-/// Counts steps, and ends the work by throwing Spent where there are too many, or Stopped where that was asked.
+/// Counts steps. Throws Spent when the limit is exceeded, and Stopped when a stop was requested.
 class Budget {
  public:
   struct Spent {};
 
-  /// Without a limit.
+  /// A budget without a limit.
   Budget() = default;
   explicit Budget(std::uint64_t steps) : limit_(steps) {}
 
-  /// So many steps from now on.
+  /// Allows this many steps from now on.
   void renew(std::uint64_t steps) {
     limit_ = steps;
     spent_ = 0;
@@ -37,7 +37,7 @@ class Budget {
     next_tick_ = spent_ + tick_distance;
     if (tick_) tick_(spent_);
   }
-  /// Calls it every million steps or so.
+  /// Calls `tick` about every million steps.
   void watch(std::function<void(std::uint64_t)> tick) { tick_ = std::move(tick); }
   std::uint64_t spent() const { return spent_; }
   std::size_t left() const { return static_cast<std::size_t>(limit_ - std::min(limit_, spent_)); }

@@ -27,7 +27,7 @@ inline Integer integer_times(const Rational& value, const Integer& multiple) {
   return numerator(value) * exact_quotient(multiple, denominator(value));
 }
 
-/// A row times the common denominator of its entries.
+/// Multiplies a row by the common denominator of its entries.
 std::vector<Integer> clear_denominators(const std::vector<Rational>& row);
 
 /// A matrix in reduced row echelon form, times `pivot`: each of the first rank() rows has `pivot` in its pivot column,
@@ -35,7 +35,7 @@ std::vector<Integer> clear_denominators(const std::vector<Rational>& row);
 struct Echelon {
   IntegerMatrix rows;
   std::vector<std::size_t> pivot_columns;  ///< ascending
-  Integer pivot = 1;                       ///< of either sign
+  Integer pivot = 1;                       ///< may be negative
 
   std::size_t rank() const { return pivot_columns.size(); }
   /// The rank of the first columns. The others may be right-hand sides: they have solutions if this is rank().
@@ -46,8 +46,9 @@ Echelon eliminate(IntegerMatrix matrix);
 Echelon eliminate(const RationalMatrix& matrix);
 Rational determinant(const RationalMatrix& matrix);
 
-/// What one step of Bareiss's elimination leaves below row k and right of column k of a square matrix, whose entry
-/// (k, k) must not be 0. `previous` is the pivot of the step before, or 1: entries are minors, so that it divides them.
+/// One step of Bareiss's elimination of a square matrix: returns the new entries below row k and right of column k.
+/// Entry (k, k) must not be 0. `previous` is the pivot of the previous step, or 1; it divides the new entries exactly,
+/// since these are minors.
 IntegerMatrix eliminated_once(const IntegerMatrix& matrix, std::size_t k, const Integer& previous);
 
 }  // namespace slipproof

@@ -1,12 +1,12 @@
 // The irreducible factors of polynomials that come one after another, as along one line of bicycles, where most have
 // most of their factors in common.
 //
-// Each polynomial is first divided by factors that are known. Of thousands few divide it, and long divisions cost most
-// of the time, so remainders modulo a prime come first: if f divides p, it does so modulo any prime. Modulo 2^61 - 1,
-// t^2 - 2 leaves the remainder 1 in t^2 - 1, so that it needs no long division. Most factors divide no other
-// polynomial. A factor is no longer tried once it has divided none, or few for as often as it was tried: what is left
-// then still has it, and is factored with it. Such a factor is tried again. One that divides 1 polynomial in 200 stays:
-// to factor costs as much as thousands of remainders.
+// Each polynomial is first divided by the known factors. Thousands are known, few divide it, and long divisions would
+// take most of the time. So a remainder modulo a prime is tested first: if f divides p, it does so modulo any prime.
+// Example: modulo 2^61 - 1, t^2 - 1 has the remainder 1 by t^2 - 2, so no long division is needed. Most factors divide
+// no other polynomial. A factor that has divided none, or too few of those tried, is dropped; the cofactor then still
+// contains it and is factored with it, after which the factor is tried again. A factor that divides 1 polynomial in 200
+// is kept, since a factorization costs as much as thousands of remainders.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ class FactorBase {
 
   /// Primitive.
   const std::set<IntegerPolynomial>& factors() const { return factors_; }
-  /// How many long divisions there were, how many remainders modulo the prime, and how many polynomials were factored.
+  /// Counts of long divisions, of remainders modulo the prime, and of factored polynomials.
   std::uint64_t divisions() const { return divisions_; }
   std::uint64_t remainders() const { return remainders_; }
   std::uint64_t factored() const { return factored_; }

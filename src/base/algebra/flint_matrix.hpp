@@ -11,7 +11,7 @@
 
 namespace slipproof {
 
-/// Of integers, zeros at first.
+/// A matrix of integers, initially 0.
 class FlintMatrix {
  public:
   FlintMatrix(std::size_t rows, std::size_t columns) {
@@ -35,7 +35,7 @@ class FlintMatrix {
   fmpz_mat_t value_;
 };
 
-/// Of rational numbers, zeros at first.
+/// A matrix of rational numbers, initially 0.
 class FlintRationalMatrix {
  public:
   FlintRationalMatrix(std::size_t rows, std::size_t columns) {

@@ -38,7 +38,7 @@ class IntegerPolynomial {
   }
   ~IntegerPolynomial() { fmpz_poly_clear(value_); }
 
-  /// Of rational coefficients, from the constant up, times their common denominator.
+  /// Makes a polynomial of rational coefficients, constant first, multiplied by their common denominator.
   static IntegerPolynomial proportional_to(const std::vector<Rational>& coefficients) {
     Integer common = 1;
     for (const Rational& c : coefficients) common = lcm(common, denominator(c));
@@ -55,11 +55,12 @@ class IntegerPolynomial {
   Integer coefficient(long power) const;
   /// The sign of the value at a number; Horner's scheme in integers.
   int sign_at(const Rational& t) const;
-  /// How many signs of coefficients change from one to the next, zeros left out: at least the number of positive roots.
+  /// The number of sign changes in the sequence of nonzero coefficients, an upper bound on the number of positive roots
+  /// (Descartes).
   int sign_changes() const;
   /// The polynomial with coprime coefficients, the leading one positive, that has the same roots; 0 stays 0.
   IntegerPolynomial primitive() const;
-  /// The same for the roots in (0, 1).
+  /// The same bound for the roots in (0, 1).
   int sign_changes_in_unit() const;
   /// A polynomial whose positive roots are the roots beyond `lower`, moved.
   IntegerPolynomial beyond(const Rational& lower) const;
@@ -90,7 +91,7 @@ class IntegerPolynomial {
   friend bool operator==(const IntegerPolynomial& x, const IntegerPolynomial& y) {
     return fmpz_poly_equal(x.value_, y.value_) != 0;
   }
-  /// Some total order, for sets.
+  /// A total order, for use as a key.
   friend bool operator<(const IntegerPolynomial& x, const IntegerPolynomial& y);
   /// The greatest common divisor, its leading coefficient positive.
   friend IntegerPolynomial gcd(const IntegerPolynomial& x, const IntegerPolynomial& y) {
@@ -105,7 +106,7 @@ class IntegerPolynomial {
     return result;
   }
 
-  /// For FLINT's functions.
+  /// FLINT's representation, for calls of its functions.
   const fmpz_poly_struct* flint() const { return value_; }
   fmpz_poly_struct* flint() { return value_; }
 
@@ -115,7 +116,7 @@ class IntegerPolynomial {
   fmpz_poly_t value_;
 };
 
-/// Of a square matrix; columns beyond it are left out.
+/// The determinant of a square matrix; ignores further columns.
 IntegerPolynomial determinant(const std::vector<std::vector<IntegerPolynomial>>& rows);
 
 }  // namespace slipproof

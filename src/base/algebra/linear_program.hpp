@@ -22,9 +22,10 @@ struct AffineForm {
 struct LinearOptimum {
   enum class Kind { infeasible, unbounded, attained, given_up };
   Kind kind = Kind::infeasible;
-  Rational value;           ///< of the objective; attained only
+  Rational value;           ///< least value of the objective; only if attained
   std::vector<Rational> x;  ///< a point with that value; unbounded: a feasible point
-  /// One >= 0 for each constraint, attained only: objective = value + the sum of multiplier * constraint, for all x.
+  /// A multiplier >= 0 for each constraint, only if the value is attained: objective = value + the sum of multiplier *
+  /// constraint, for all x.
   std::vector<Rational> multipliers;
   std::size_t pivots = 0;
 };
@@ -35,13 +36,14 @@ struct LinearOptimum {
 LinearOptimum minimize(const AffineForm& objective, const std::vector<AffineForm>& constraints,
                        std::size_t max_pivots = std::numeric_limits<std::size_t>::max());
 
-/// The same within an effort; throws TooMuchWork beyond it.
+/// The same with a limit on the work. Throws TooMuchWork if it is exceeded.
 LinearOptimum minimize(const AffineForm& objective, const std::vector<AffineForm>& constraints, Effort& effort);
 
-/// The same constraints for several objectives: each starts where the one before it ended.
+/// A linear program for several objectives under the same constraints. Each starts at the vertex where the previous one
+/// ended.
 class LinearProgram {
  public:
-  /// All constraints have as many coefficients as there are variables.
+  /// Each constraint must have `variables` coefficients.
   LinearProgram(std::size_t variables, const std::vector<AffineForm>& constraints);
   ~LinearProgram();
   LinearProgram(const LinearProgram&) = delete;

@@ -17,9 +17,9 @@
 
 namespace slipproof {
 
-/// Of the terms of a polynomial; the first of them is its leading term.
+/// The order of the terms of a polynomial, leading term first.
 enum class MonomialOrder : std::uint8_t {
-  lexicographic,                ///< shows at once how a variable occurs: for elimination
+  lexicographic,                ///< groups terms by powers of a variable: for elimination
   degree_reverse_lexicographic  ///< keeps greatest common divisors short
 };
 
@@ -47,7 +47,7 @@ class PolynomialRing {
 
 struct Term {
   Rational coefficient;
-  std::vector<unsigned long> exponents;  ///< of each variable of the ring
+  std::vector<unsigned long> exponents;  ///< by variable of the ring
 };
 
 struct Factorization;
@@ -65,18 +65,18 @@ class MultiPolynomial {
   bool is_zero() const;
   bool is_one() const;
   bool is_constant() const;
-  Rational constant() const;             ///< of a constant polynomial
-  Rational leading_coefficient() const;  ///< of one that is not 0
+  Rational constant() const;             ///< requires a constant polynomial
+  Rational leading_coefficient() const;  ///< requires a polynomial other than 0
   std::size_t length() const;            ///< the number of its terms
   std::size_t degree(std::size_t variable) const;
-  std::size_t coefficient_bits() const;  ///< of the largest, where all are integers
+  std::size_t coefficient_bits() const;  ///< bits of the largest coefficient, if all are integers
   bool has_negative_coefficient() const;
   bool contains(std::size_t variable) const { return degree(variable) > 0; }
   std::vector<std::size_t> variables() const;
   std::vector<Term> terms() const;
   /// The coefficient of variable^exponent, a polynomial in the other variables.
   MultiPolynomial coefficient(std::size_t variable, std::size_t exponent) const;
-  /// In the syntax of statements, certificates and claims; kept, so that copies have it, too.
+  /// Text in the syntax of statements, certificates and claims. Cached, and shared with copies.
   const std::string& text() const;
 
   MultiPolynomial& operator+=(const MultiPolynomial& other);
@@ -87,18 +87,18 @@ class MultiPolynomial {
   friend MultiPolynomial operator-(MultiPolynomial x, const MultiPolynomial& y) { return x -= y; }
   friend MultiPolynomial operator*(MultiPolynomial x, const MultiPolynomial& y) { return x *= y; }
   bool operator==(const MultiPolynomial& other) const;
-  /// Equal for copies of one polynomial, and different from all others as long as one of the copies lives.
+  /// A key that is equal for copies of one polynomial, and differs from all other keys while one of the copies lives.
   const void* identity() const { return value_.get(); }
 
   MultiPolynomial scaled(const Rational& factor) const;
-  /// The quotient where it is a polynomial; the divisor must not be 0.
+  /// The quotient if it is a polynomial, otherwise nothing. The divisor must not be 0.
   std::optional<MultiPolynomial> divided_by(const MultiPolynomial& divisor) const;
   /// The greatest common divisor, monic; nothing where FLINT gives up.
   std::optional<MultiPolynomial> common_divisor(const MultiPolynomial& other) const;
-  /// Cannot be stopped once begun, so a caller with a limit checks the length first. If FLINT gives up, returns
-  /// as_irreducible().
+  /// The factorization into irreducible polynomials. It cannot be interrupted, so a caller with a time limit checks the
+  /// length first. If FLINT gives up, returns as_irreducible().
   Factorization factors() const;
-  /// Its content and its primitive part, as if that had no factors; of a polynomial that is not 0.
+  /// The content and the primitive part, treated as irreducible. The polynomial must not be 0.
   Factorization as_irreducible() const;
 
  private:

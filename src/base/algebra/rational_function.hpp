@@ -21,7 +21,7 @@ class Polynomial {
 
   const std::vector<Rational>& coefficients() const { return coefficients_; }
   bool is_zero() const { return coefficients_.empty(); }
-  /// 0 for constants, and for the zero polynomial.
+  /// The degree; 0 for constants and for the zero polynomial.
   std::size_t degree() const { return coefficients_.empty() ? 0 : coefficients_.size() - 1; }
   Rational coefficient(std::size_t power) const {
     return power < coefficients_.size() ? coefficients_[power] : Rational(0);
@@ -82,7 +82,7 @@ class RationalFunction {
   const Polynomial& numerator() const { return numerator_; }
   const Polynomial& denominator() const { return denominator_; }
   bool is_zero() const { return numerator_.is_zero(); }
-  /// Written without the variable: then numerator().coefficient(0) is the value.
+  /// True if numerator and denominator as stored are constants; the value is then numerator().coefficient(0).
   bool is_constant() const { return numerator_.degree() == 0 && denominator_.degree() == 0; }
 
   /// The value of a constant. Most values that claims compare are constants; their denominator is 1.

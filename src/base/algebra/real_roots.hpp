@@ -16,10 +16,11 @@ struct LinePart {
   std::optional<Rational> lower, upper;
 };
 
-/// Where a polynomial vanishes: exactly, or irrational and strictly between two numbers.
+/// A real root: a rational number, or an irrational one strictly between two rational numbers.
 struct RealRoot {
-  Rational lower, upper;  ///< equal: the root itself
-  /// Of an irrational root: its irreducible polynomial, which has no other root between them.
+  Rational lower, upper;  ///< equal for a rational root
+  /// The irreducible polynomial of an irrational root, which has no other root between `lower` and `upper`. Null for a
+  /// rational root.
   std::shared_ptr<const IntegerPolynomial> polynomial = nullptr;
 
   bool is_rational() const { return lower == upper; }

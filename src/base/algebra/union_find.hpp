@@ -11,7 +11,8 @@ class UnionFind {
  public:
   explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
 
-  /// One element of the set, the same for all of its elements until it is joined with another. Nearly constant.
+  /// Returns the representative of the set of i, which stays the same until the set is joined with another. Nearly
+  /// constant time.
   std::size_t find(std::size_t i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;

@@ -12,26 +12,27 @@
 
 namespace slipproof {
 
-/// Bytes that do not hold what was to be read.
+/// Thrown if bytes do not contain the expected values.
 class BrokenBytes : public std::runtime_error {
  public:
   BrokenBytes() : std::runtime_error("found bytes that end too early, or go on too long") {}
 };
 
-/// Numbers take eight bytes, the lowest first, on every machine; texts their length before them.
+/// Writes numbers as eight bytes, lowest first, on every machine, and texts preceded by their length.
 class ByteWriter {
  public:
   ByteWriter& number(std::uint64_t value) {
     for (int i = 0; i < 64; i += 8) bytes_ += static_cast<char>(value >> i & 0xFFU);
     return *this;
   }
+  /// Writes its bits.
   ByteWriter& real(double value) { return number(std::bit_cast<std::uint64_t>(value)); }
   ByteWriter& text(std::string_view value) {
     number(value.size());
     bytes_ += value;
     return *this;
   }
-  /// How many, and each as it is written.
+  /// Writes their number, then each as text.
   ByteWriter& rationals(const std::vector<Rational>& values) {
     number(values.size());
     for (const Rational& value : values) text(value.str());
@@ -43,7 +44,7 @@ class ByteWriter {
   std::string bytes_;
 };
 
-/// Reads in the same order; the bytes must outlive it. Throws BrokenBytes.
+/// Reads values in the order in which they were written; the bytes must outlive it. Throws BrokenBytes.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
@@ -62,7 +63,7 @@ class ByteReader {
     return values;
   }
   std::string_view rest() const { return rest_; }
-  /// Throws where more follows.
+  /// Throws if bytes remain.
   void end() const {
     if (!rest_.empty()) throw BrokenBytes();
   }

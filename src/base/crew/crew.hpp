@@ -1,7 +1,7 @@
 // Work by index: by the threads of this process, or by a crew of many ranks, the processes of one run, which share
 // nothing but files. Rank 0 writes lists of requests into its journal, as the work goes on. Rank r answers the requests
 // r, r + N, r + 2 N, ... of each list of N ranks, and keeps the results in a journal of its own. Rank 0 takes them from
-// all journals, in the order of the list; what a rank that is gone has not answered, it answers itself.
+// all journals, in the order of the list, and answers the requests of ranks that have died.
 //
 // Requests 0 to 5 of 2 ranks: rank 0 answers 0, 2, 4, and rank 1 answers 1, 3, 5. If rank 1 is killed while it works on
 // 3, rank 0 does 3 and 5 when it has done 4. If rank 0 is killed, rank 1 ends with the list; the same command goes on
@@ -24,32 +24,32 @@
 
 namespace slipproof {
 
-/// Answers a request, from many threads at once, on whichever rank: the same bytes everywhere.
+/// Answers a request. Called from several threads at once, on any rank; must return the same bytes on each.
 using Service = std::function<std::string(std::string_view request)>;
 
 struct CrewOptions {
   std::filesystem::path checkpoint;  ///< the journal of rank 0; rank r has CHECKPOINT.r
-  std::string work = {};             ///< as for Journal
+  std::string work = {};             ///< see Journal
   int rank = 0, ranks = 1;
-  unsigned threads = 0;  ///< of this rank; 0: all its cores
+  unsigned threads = 0;  ///< of this rank; 0 means one for each core
 };
 
-/// One rank of a run. Where serve() returns false, each() may be called as often as is wanted, from one thread.
+/// One rank of a run. If serve() returns false, one thread may call each() any number of times.
 class Crew {
  public:
-  /// Throws as Journal does.
+  /// Opens the journals. Throws like Journal.
   Crew(CrewOptions options, Service service);
 
-  /// On rank 0 false, at once. On the others true, when they have answered their share of each list and rank 0 is gone.
-  /// Says nothing of what fails: rank 0 meets it again.
+  /// On rank 0, returns false at once. On the other ranks, answers this rank's share of each list and returns true when
+  /// rank 0 ends. Ignores failures, since rank 0 repeats such requests and reports them.
   bool serve();
 
   /// Whether this rank, or another of this run or of an earlier one, has answered the request.
   bool has(std::string_view request) const;
 
-  /// On rank 0: calls take(i, result) for each request(i), i = 0, 1, ... count - 1, in this order. Results wait in the
-  /// journals, not in memory. Throws what the service throws for the first request that has no result; Stopped; and
-  /// whatever take() throws.
+  /// Calls take(i, result) for each request(i), i = 0, 1, ... count - 1, in this order; only for rank 0. Keeps waiting
+  /// results in the journals, not in memory. Throws the exception of the service for the first request without a
+  /// result, exceptions of take(), and Stopped.
   void each(std::uint64_t count, const std::function<std::string(std::uint64_t)>& request,
             const std::function<void(std::uint64_t, std::string)>& take);
 
@@ -64,16 +64,17 @@ class Crew {
 
   CrewOptions options_;
   Service service_;
-  std::map<int, Journal> journals_;                                  ///< by rank, also of earlier runs with more ranks
-  std::uint64_t lists_ = 0;                                          ///< handed out, or answered
+  std::map<int, Journal> journals_;                                  ///< by rank, including ranks of earlier runs
+  std::uint64_t lists_ = 0;                                          ///< number of lists handed out or answered
   std::map<std::string, std::exception_ptr, std::less<>> failures_;  ///< of the service, by request
-  mutable std::mutex mutex_;                                         ///< of journals and failures
+  mutable std::mutex mutex_;                                         ///< guards journals and failures
   std::chrono::steady_clock::time_point flushed_ = std::chrono::steady_clock::now();
 };
 
-/// take(i, answer to request(i)) for i = 0, 1, ... count - 1, one at a time. Without a crew `service` answers, on the
-/// threads of the caller's on_threads(), and results are taken as they come unless `in_order`; with one, whose service
-/// it must be, they are taken in order. What is thrown is as of Crew::each(); without a crew what any of them throws.
+/// Calls take(i, answer to request(i)) for i = 0, 1, ... count - 1, one at a time. Without a crew, `service` answers on
+/// the threads of the caller's on_threads(), and results are taken in order of completion unless `in_order`. With a
+/// crew, which must have the same service, they are taken in order. Throws like Crew::each(); without a crew, passes on
+/// any exception.
 void share(Crew* crew, const Service& service, std::uint64_t count,
            const std::function<std::string(std::uint64_t)>& request,
            const std::function<void(std::uint64_t, std::string)>& take, bool in_order = false);

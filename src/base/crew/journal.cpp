@@ -17,6 +17,7 @@ namespace slipproof {
 namespace {
 
 constexpr std::string_view journal_signature = "slipproof-journal 2\n";
+constexpr std::string_view earlier_signature = "slipproof-journal 1\n";
 constexpr std::size_t digest_size = 64;
 constexpr std::size_t record_head = 2 * digest_size + 8;  // two digests, then a length
 
@@ -97,10 +98,13 @@ bool Journal::check_head() const {
   const std::string found = read_at(file_.number(), 0, head_.size(), path_);
   if (found == head_) return true;
   if (found.size() < head_.size() && head_.starts_with(found)) return false;
-  throw InputError({{path_.string(), 0, 0,
-                     found.starts_with(journal_signature)
-                         ? "found a checkpoint of other work, expected one of the same arguments, version and input"
-                         : "found another file, expected a checkpoint, or none yet"}});
+  std::string mistake = "found another file, expected a checkpoint, or none yet";
+  if (found.starts_with(journal_signature)) {
+    mistake = "found a checkpoint of other work, expected one of the same arguments, version and input";
+  } else if (found.starts_with(earlier_signature)) {
+    mistake = "found a checkpoint of an earlier version, which cannot be continued, expected one of this version";
+  }
+  throw InputError({{path_.string(), 0, 0, std::move(mistake)}});
 }
 
 void Journal::read_results() {

@@ -23,14 +23,15 @@ class Journal {
  public:
   enum class Access : std::uint8_t { write, read };
 
-  /// Opens the file; creates it to write. To read, there may be no file yet. `work` describes what the results depend
-  /// on, apart from the requests: version, arguments, input. Throws InputError if the file is not a journal, or one of
+  /// Opens the file; creates it to write. For reading, the file need not exist yet. `work` describes everything else
+  /// that the results depend on: version, arguments, input. Throws InputError if the file is not a journal, or one of
   /// other work; OutputError if it cannot be written, or another run is writing it.
   Journal(std::filesystem::path path, std::string_view work, Access access = Access::write);
 
-  /// Whether a process that writes this file lives.
+  /// Whether the process that writes this file is alive.
   static bool is_written(const std::filesystem::path& path);
-  /// Of another's journal: reads what has been added since. Throws InputError.
+  /// Reads the results that another process has added since the last call; for a journal opened read-only. Throws
+  /// InputError.
   void refresh();
 
   bool has(std::string_view request) const;
@@ -38,7 +39,7 @@ class Journal {
   std::optional<std::string> find(std::string_view request) const;
   /// Adds a result. Throws OutputError.
   void keep(std::string_view request, std::string_view result);
-  /// Makes the kept results survive a failure of the machine. Throws OutputError.
+  /// Flushes the results to the disk. Throws OutputError.
   void flush() const;
 
   std::size_t size() const { return places_.size(); }
@@ -55,8 +56,8 @@ class Journal {
   std::filesystem::path path_;
   std::string head_;  ///< the first bytes of the file
   Descriptor file_{-1};
-  std::uint64_t end_ = 0;                                   ///< of the results that were read; 0: not even the head was
-  std::map<std::string, ResultPlace, std::less<>> places_;  ///< by the request's digest
+  std::uint64_t end_ = 0;  ///< end of the results read so far, in bytes; 0 before the head is read
+  std::map<std::string, ResultPlace, std::less<>> places_;  ///< by digest of the request
 };
 
 }  // namespace slipproof

@@ -17,10 +17,10 @@ using OfExpression = std::function<bool(const Expression&)>;
 /// Whether abs, sign, min or max is at the root, or occurs.
 bool is_function(const Expression& e);
 bool has_function(const Expression& e);
-/// Of what is written without a division.
+/// True if the expression as written has no division and no negative power.
 bool has_no_division(const Expression& e);
-/// All divisors of an expression, bases of negative powers included: it has a value if none of them is 0. Divisors
-/// within a divisor come before it.
+/// All divisors of an expression, including bases of negative powers. The expression has a value if none of them is 0.
+/// Divisors inside a divisor precede it.
 std::vector<Expression> divisors(const Expression& e);
 
 /// The condition without the functions that are `wanted`. `defined` says whether an expression has a value wherever the

@@ -12,16 +12,17 @@
 
 namespace slipproof {
 
-/// Why there is no value.
+/// The reason why there is no value.
 enum class Failure : std::uint8_t {
   undefined,  ///< a division by zero
-  undecided   ///< the field cannot decide it: the sign of a function of F, or a symbol that has no value
+  undecided   ///< T cannot decide it, such as the sign of a function of F; or a symbol has no value
 };
 
 /// Truth in Kleene's logic: for any x, `no and x` is no, `yes or x` is yes.
 enum class Truth : std::uint8_t { no, yes, undefined, undecided };
 
-/// `decisive` on either side decides, `neutral` leaves the other side: no and yes for `and`, yes and no for `or`.
+/// The result is `decisive` if either side is; `neutral` on one side gives the other side. For `and` these are no and
+/// yes, for `or` yes and no.
 inline Truth combine(Truth x, Truth y, Truth decisive, Truth neutral) {
   if (x == decisive || y == decisive) return decisive;
   if (x == neutral) return y;
@@ -34,15 +35,16 @@ inline Truth negation(Truth x) {
 template <class T>
 struct Value {
   std::optional<T> number;
-  Failure failure = Failure::undefined;  ///< if there is no number
+  Failure failure = Failure::undefined;  ///< why there is no number
 };
 
-/// How the evaluator computes with T beyond + - * / and unary -. Specialise, or pass an object with these members.
+/// The operations on T that the evaluator needs beyond + - * / and unary -. Specialise it, or pass an object with the
+/// same members.
 template <class T>
 struct FieldOf {
   T constant(const Rational& value) const { return T(value); }
   bool is_zero(const T& x) const { return sign(x) == 0; }
-  /// -1, 0, +1 as x < y, x = y, x > y; nothing where the order is not decided.
+  /// The sign of x - y: -1, 0 or +1; nothing if it is undecided.
   std::optional<int> compare(const T& x, const T& y) const { return sign(T(x - y)); }
 };
 
@@ -62,8 +64,8 @@ struct Scope {
   std::vector<Slot> slots;
 };
 
-/// The values of one scope at one point. A definition is evaluated when it is first used, once; one that is undefined
-/// matters only where it is used. Not shared between threads.
+/// The values of one scope at one point. A definition is evaluated when it is first used, once; an undefined one
+/// matters only where it is used. Not for use by several threads.
 template <class T, class Field = FieldOf<T>>
 class Evaluator {
  public:
@@ -125,7 +127,7 @@ class Evaluator {
     return cell.number ? &*cell.number : fail(cell.failure);
   }
 
-  // The value of an instruction, where it already is or in `scratch`; null with failure_ set if there is none.
+  // Returns the value of an instruction, in place or in `scratch`. If there is none, returns null and sets failure_.
   const T* number(const Program& program, std::uint32_t index, std::optional<T>& scratch) {
     const Program::Instruction& instruction = program.code()[index];
     switch (instruction.operation) {
@@ -157,7 +159,7 @@ class Evaluator {
     return *order < 0 ? &scratch.emplace(-*x) : x;
   }
 
-  /// The value, undefined where the other is, too: for types that keep what they were divided by.
+  /// The value, undefined where the other one is, too; for types that keep their divisors.
   static T beside(T value, const T& other) {
     if constexpr (requires { value.beside(other); }) return value.beside(other);
     return value;

@@ -23,7 +23,7 @@ enum class Operation : std::uint8_t {
   subtract,
   multiply,
   divide,
-  power,  ///< with a fixed integer exponent
+  power,  ///< the exponent is a fixed integer
   absolute,
   signum,  ///< -1, 0 or +1
   minimum,
@@ -36,13 +36,13 @@ enum class Operation : std::uint8_t {
   logical_or
 };
 
-/// What an expression denotes.
+/// The type of the value of an expression.
 enum class Sort : std::uint8_t { number, truth };
 
 enum class Relation : std::uint8_t { less, less_equal, greater, greater_equal, equal, not_equal };
 
 std::string_view spelling(Relation relation);  ///< `<`, `<=`, ...
-/// Whether `left relation right` holds, from the sign of left - right.
+/// Whether `left relation right` holds, given the sign of left - right.
 bool holds(Relation relation, int sign_of_difference);
 
 struct Node;
@@ -53,12 +53,12 @@ struct Node {
   Operation operation = Operation::truth;
   std::size_t column = 0;            ///< position in the text it was read from, from 1; not part of its value
   std::vector<Expression> operands;  ///< one, two, or one more than `relations`
-  std::vector<Relation> relations;   ///< of a comparison
-  Rational number;                   ///< of a literal, >= 0
+  std::vector<Relation> relations;   ///< relations of a comparison
+  Rational number;                   ///< value of a literal, >= 0
   std::string symbol;                ///< name
   int exponent = 0;
   bool truth = false;
-  std::size_t depth = 1;  ///< nodes on the longest way down
+  std::size_t depth = 1;  ///< height of the tree, in nodes
 };
 
 Sort sort(const Node& node);
@@ -68,16 +68,16 @@ Expression make_symbol(std::string name, std::size_t column = 0);
 Expression make_truth(bool value, std::size_t column = 0);
 Expression make_power(Expression base, int exponent, std::size_t column = 0);
 Expression make_comparison(std::vector<Expression> operands, std::vector<Relation> relations, std::size_t column = 0);
-/// Any of the other operations.
+/// Makes a node of any other operation.
 Expression make(Operation operation, std::vector<Expression> operands, std::size_t column = 0);
 
 /// Whether the trees are the same, ignoring columns.
 bool same(const Expression& a, const Expression& b);
 
-/// Text that reads back as the same tree, with no more parentheses than that needs.
+/// Text that reads back as the same tree, with as few parentheses as possible.
 std::string to_string(const Expression& expression);
 
-/// How tightly an operation binds, from loose to tight, as in the grammar of parser.hpp.
+/// Precedence of an operation, loosest first, as in the grammar of parser.hpp.
 enum class Binding : std::uint8_t {
   loosest,
   disjunction,
@@ -99,7 +99,7 @@ std::vector<std::string> symbols(const Expression& expression);
 /// Whether a number, as written, is a polynomial of degree at most 1 in the symbol.
 bool is_linear_in(const Expression& number, const std::string& symbol);
 
-/// Every occurrence of a symbol replaced.
+/// Replaces every occurrence of a symbol.
 Expression substitute(const Expression& expression, std::string_view symbol, const Expression& by);
 /// Replaces all symbols at once by their expressions; null leaves a symbol as it is.
 Expression substitute(const Expression& expression, const std::function<Expression(const std::string&)>& meaning);

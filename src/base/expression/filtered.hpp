@@ -1,5 +1,5 @@
-// Programs at rational points, asked in binary64 first: exact arithmetic decides only where the bounds on the errors
-// leave a truth open, and gives all values.
+// Evaluates programs at rational points. Truth values are tried in binary64 with error bounds first, and computed
+// exactly only if the bounds leave them undecided. Numbers are always exact.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,8 @@
 
 namespace slipproof {
 
-/// Unsure comparisons are undecided; a divisor that may be 0 gives a quotient about which nothing is sure.
+/// Comparisons that the error bounds do not decide are undecided; a quotient whose divisor may be 0 has an infinite
+/// error.
 template <>
 struct FieldOf<Approximate> {
   Approximate constant(const Rational& value) const { return Approximate(value); }
@@ -17,13 +18,13 @@ struct FieldOf<Approximate> {
   std::optional<int> compare(const Approximate& x, const Approximate& y) const { return sure_sign(x - y); }
 };
 
-/// The same truths and values as Evaluator<Rational>. Not shared between threads.
+/// Gives the same truths and values as Evaluator<Rational>. Not for use by several threads.
 class FilteredEvaluator {
  public:
   /// The scope must outlive the evaluator.
   explicit FilteredEvaluator(const Scope& scope) : approximate_(scope), exact_(scope) {}
 
-  /// Forgets all values and gives the symbols from `first` on theirs, which must stay until the next time.
+  /// Forgets all values, and sets those of the symbols from `first` on; the values must stay valid until the next call.
   void set(std::size_t first, const std::vector<Rational>& values) {
     approximate_.reset();
     for (std::size_t k = 0; k < values.size(); ++k) approximate_.set(first + k, Approximate(values[k]));

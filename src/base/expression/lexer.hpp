@@ -11,14 +11,15 @@ struct Token {
   enum class Kind { end, number, word, punctuation, unknown };
   Kind kind = Kind::end;
   std::string_view text;
-  std::size_t column = 1;  ///< of its first byte, from 1
+  std::size_t column = 1;  ///< column of its first byte, from 1
 };
 
-/// For a message: `b1`, the end, ...; a character beyond ASCII with what to write for
-/// it; bytes that are no character by their number.
+/// Describes a token for a message: `b1`, the end, ...; for a character beyond ASCII, also what to write instead; for
+/// bytes that are not UTF-8, their values.
 std::string describe(const Token& token);
 
-/// One token at a time. A number is as long as what could belong to one, so that `2b` is one (malformed) token.
+/// Splits a text into tokens, one at a time. A number extends over all letters, digits and points that follow, so that
+/// `2b` is one (malformed) token.
 class Lexer {
  public:
   explicit Lexer(std::string_view text) : text_(text) { advance(); }

@@ -1,4 +1,4 @@
-// Conditions turned round, joined, and with their ends.
+// Conditions: negated, joined, and closed.
 #pragma once
 
 #include <vector>
@@ -7,22 +7,22 @@
 
 namespace slipproof {
 
-/// What is true where the condition is false, false where it is true, and undefined where it is: comparisons turned
-/// round, `and` and `or` exchanged. There is no `not` in it.
+/// The negation, undefined where the condition is. Negates the comparisons and exchanges `and` and `or`, so that the
+/// result contains no new `not`.
 Expression opposite(const Expression& truth);
 
-/// The condition with its ends (proofs/MEANING.md, Unique): each `not` carried inwards to the comparisons, then `<`
-/// read as `<=`, `>` as `>=`, and `x != y` as `x <= y or x >= y`.
+/// The closed condition (proofs/MEANING.md, Unique): moves each `not` inwards to the comparisons, then replaces `<` by
+/// `<=`, `>` by `>=`, and `x != y` by `x <= y or x >= y`.
 Expression closure(const Expression& truth);
 
-bool is_true(const Expression& truth);  ///< the word `true`
+bool is_true(const Expression& truth);  ///< true for the literal `true`
 
-/// `x and y`, where one of them may be `true`.
+/// Returns `x and y`; if one of them is `true`, the other.
 Expression conjunction(const Expression& x, const Expression& y);
-/// Joined by `and`; null for none.
+/// Joins conditions by `and`; null for an empty list.
 Expression all_of(const std::vector<Expression>& truths);
-/// The conjuncts of all of the conditions together: chains of comparisons link by link, anything under `or` and `not`
-/// as a whole, and no `true`.
+/// The conjuncts of all conditions in one list. Splits chains of comparisons into links, does not split `or` and `not`,
+/// and omits `true`.
 std::vector<Expression> conjuncts(const std::vector<Expression>& truths);
 
 }  // namespace slipproof

@@ -34,7 +34,7 @@ class ExpressionError : public std::runtime_error {
   std::size_t column_;
 };
 
-/// Longer or deeper texts are refused: nothing that a person writes comes near, and no text may exhaust the stack.
+/// Limits on length and depth, far above what people write, so that no text exhausts the stack.
 inline constexpr std::size_t max_expression_length = 10'000;
 inline constexpr std::size_t max_expression_depth = 200;
 inline constexpr int max_exponent = 64;

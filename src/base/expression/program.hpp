@@ -33,7 +33,7 @@ class Program {
 
   /// The slot of every symbol; nothing for a name that does not exist.
   using Resolver = std::function<std::optional<std::size_t>(std::string_view)>;
-  /// All symbols must resolve: see unknown_symbols().
+  /// Compiles an expression. Each symbol must resolve; see unknown_symbols().
   Program(const Expression& expression, const Resolver& resolver);
 
  private:

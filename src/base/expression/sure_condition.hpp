@@ -12,26 +12,26 @@
 
 namespace slipproof {
 
-/// Not shared between threads.
+/// A condition evaluated with error bounds, incrementally. Not for use by several threads.
 class SureCondition {
  public:
-  /// The point has so many coordinates, with slots from `first` on.
+  /// `coordinates` is the number of coordinates of the point; their slots begin at `first`.
   SureCondition(const Scope& scope, const Program& condition, std::size_t first, std::size_t coordinates);
 
-  /// Before the truth is asked for again: all coordinates are others, or one.
+  /// Call one of these before the next truth(): all coordinates have changed, or one.
   void all_changed() { stale_ = coordinates_; }
   void changed(std::size_t coordinate) {
     if (stale_ == coordinate || behind_[coordinate].empty()) return;
     stale_ = stale_ == nothing() ? coordinate : coordinates_;
   }
 
-  /// Yes or no where that is sure; undecided where the bounds leave it open or something has no value.
+  /// Returns yes or no if the error bounds prove it; undecided otherwise, and where an expression has no value.
   Truth truth(const std::vector<Approximate>& point) {
     if (stale_ != nothing()) run(point);
     return results_.back().truth;
   }
-  /// The only value of a coordinate for which the condition can hold, if an equation in it gives this value without
-  /// using the coordinate; null if there is none. For the point at which the truth was last computed.
+  /// The only value of a coordinate for which the condition can hold, if one of its equations gives this value without
+  /// using the coordinate; otherwise null. Refers to the point of the last call of truth().
   const Approximate* demanded(std::size_t coordinate) const {
     return demands_[coordinate] ? &results_[*demands_[coordinate]].number : nullptr;
   }
@@ -44,7 +44,7 @@ class SureCondition {
     std::uint32_t first, second;  ///< other steps, or a coordinate
   };
   struct Result {
-    Approximate number{0, std::numeric_limits<double>::infinity()};  ///< nothing is sure of it
+    Approximate number{0, std::numeric_limits<double>::infinity()};  ///< infinite error: nothing known
     Truth truth = Truth::undecided;
   };
   class Writer;
@@ -58,10 +58,10 @@ class SureCondition {
   std::size_t coordinates_;
   std::vector<Step> steps_;
   std::vector<Result> results_;  ///< by step
-  /// The steps to be done when a coordinate changed; and last when several did.
+  /// The steps to repeat, by changed coordinate; last, those for several.
   std::vector<std::vector<std::uint32_t>> behind_;
   std::size_t stale_;                                  ///< its place there, or nothing()
-  std::vector<std::optional<std::uint32_t>> demands_;  ///< for each coordinate the step that it must equal
+  std::vector<std::optional<std::uint32_t>> demands_;  ///< by coordinate, the step whose value it must equal
 };
 
 }  // namespace slipproof

@@ -1,9 +1,9 @@
 // Values together with all their divisors.
 //
 // Quotients of polynomials cancel: F/F becomes 1, and 1/(1/F) becomes F. A claim does not cancel: where a divisor is 0
-// it has no value (proofs/MEANING.md, Values). So each value carries the divisors of the whole expression that it comes
-// from, and code that asks for its truth asks first where these vanish. This assumes that a value of the type below is
-// exact wherever its divisors are not 0.
+// it has no value (proofs/MEANING.md, Values). So each value carries all divisors of the expression that it comes from,
+// and code that needs its truth first checks where these vanish. This assumes that a value of the type below is exact
+// wherever its divisors are not 0.
 #pragma once
 
 #include <algorithm>
@@ -12,15 +12,15 @@
 
 namespace slipproof {
 
-/// A Quotient has + - * /, equality by value, and a function divisor_of(quotient): what vanishes where it does, a
-/// Divisor with ==; nothing if that is a constant.
+/// Requires of Quotient: + - * /, equality by value, and divisor_of(quotient), which returns a Divisor with == that
+/// vanishes exactly where the quotient does, or nothing for a constant.
 template <class Quotient, class Divisor>
 class WithDivisors {
  public:
   WithDivisors(Quotient value) : value_(std::move(value)) {}  // NOLINT: quotients belong
 
   const Quotient& value() const { return value_; }
-  /// Each once, none constant.
+  /// The distinct divisors that are not constant.
   const std::vector<Divisor>& divisors() const { return divisors_; }
 
   friend WithDivisors operator+(const WithDivisors& x, const WithDivisors& y) { return {x.value_ + y.value_, x, y}; }
@@ -33,9 +33,9 @@ class WithDivisors {
     if (auto divisor = divisor_of(y.value_)) quotient.add(std::move(*divisor));
     return quotient;
   }
-  /// The same value, where y has one, too: max(x, y) and y^0 need all that they are made of.
+  /// The same value, defined only where y is, too: max(x, y) and y^0 have a value only if all operands do.
   WithDivisors beside(const WithDivisors& y) const { return {value_, *this, y}; }
-  /// The same value, where the divisor is not 0.
+  /// Restricts the value to where the divisor is not 0.
   void add(Divisor divisor) {
     if (std::find(divisors_.begin(), divisors_.end(), divisor) == divisors_.end()) {
       divisors_.push_back(std::move(divisor));

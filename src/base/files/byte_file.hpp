@@ -12,16 +12,16 @@
 
 namespace slipproof {
 
-/// Bytes that are read at any place, also by many threads.
+/// Bytes with random access, for any number of threads.
 class PlacedBytes {
  public:
   explicit PlacedBytes(std::string name) : name_(std::move(name)) {}
   virtual ~PlacedBytes() = default;
 
-  /// How messages call them.
+  /// The name of the file in messages.
   const std::string& name() const { return name_; }
   std::uint64_t size() const { return size_; }
-  /// Throws InputError where the bytes are not there.
+  /// Throws InputError if the bytes do not exist.
   void read(std::uint64_t offset, char* to, std::size_t count) const;
   std::string read(std::uint64_t offset, std::size_t count) const;
 
@@ -35,10 +35,10 @@ class PlacedBytes {
   std::string name_;
 };
 
-/// A regular file. A file that becomes shorter while it is read is an InputError.
+/// A regular file. Throws InputError if it becomes shorter while it is read.
 class ByteFile final : public PlacedBytes {
  public:
-  /// Throws InputError where it cannot be opened or is no regular file.
+  /// Throws InputError if it cannot be opened or is not a regular file.
   explicit ByteFile(const std::string& path);
 
  private:
@@ -58,7 +58,7 @@ class MemoryBytes final : public PlacedBytes {
   std::string_view bytes_;
 };
 
-/// Bytes in their order, in memory that does not grow with their number.
+/// Sequential bytes, in memory independent of their number.
 class ByteRun {
  public:
   ByteRun(std::shared_ptr<const PlacedBytes> file, std::uint64_t offset) : file_(std::move(file)), offset_(offset) {}

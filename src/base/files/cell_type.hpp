@@ -10,27 +10,27 @@ namespace slipproof {
 struct CellType {
   enum class Kind : std::uint8_t {
     real,     ///< binary64 or binary32
-    integer,  ///< of 1, 2, 4 or 8 bytes, in two's complement
-    natural,  ///< the same without a sign
+    integer,  ///< 1, 2, 4 or 8 bytes, two's complement
+    natural,  ///< unsigned, 1, 2, 4 or 8 bytes
     bytes,    ///< text, one byte a character, zero bytes after its end
     utf32,    ///< text, four bytes a character
-    other     ///< nothing that is read here
+    other     ///< a type that is not supported
   };
   Kind kind = Kind::other;
   std::size_t size = 0;  ///< bytes
   bool big_endian = false;
-  std::string name;  ///< as the file calls it
+  std::string name;  ///< the name of the type in the file
 
   bool is_number() const { return kind <= Kind::natural; }
   bool is_integer() const { return kind == Kind::integer || kind == Kind::natural; }
   bool is_text() const { return kind == Kind::bytes || kind == Kind::utf32; }
-  /// The very bytes of a double of this machine.
+  /// True if the cells have the format of a double of this machine.
   bool is_native() const;
 };
 
 /// A number of the type; an integer that binary64 cannot hold is rounded to the nearest.
 double number_at(const CellType& type, const char* cell);
-/// Of an integer type; the largest where it is beyond int64.
+/// Reads an integer; returns the largest int64 if the value is above it. The type must be an integer type.
 std::int64_t integer_at(const CellType& type, const char* cell);
 /// A cell of a text type, as UTF-8 without the trailing zeros.
 std::string text_at(const CellType& type, const char* cell);

@@ -11,7 +11,7 @@ namespace slipproof {
 
 /// Whether this program was built with HDF5.
 bool has_hdf5();
-/// What an error says where it was not.
+/// The message of the error if slipproof was built without HDF5.
 inline constexpr const char* without_hdf5 =
     "found an HDF5 file, which cannot be read: this slipproof was built without HDF5, as all wheels are; build it from "
     "its sources where HDF5 is installed (Debian: apt-get install libhdf5-dev)";
@@ -22,7 +22,7 @@ inline constexpr const char* without_hdf5 =
 /// allocated than they can describe. All functions throw InputError, with the path in the message.
 class Hdf5File {
  public:
-  /// `file` is how messages call it. Throws, too, if the program was built without HDF5.
+  /// `file` is its name in messages. Also throws if the program was built without HDF5.
   Hdf5File(const std::string& bytes, std::string file);
   Hdf5File(const Hdf5File&) = delete;
   Hdf5File& operator=(const Hdf5File&) = delete;
@@ -33,13 +33,13 @@ class Hdf5File {
   /// The number of objects in a group.
   std::size_t size_of_group(const std::string& path) const;
   std::int64_t integer(const std::string& path) const;
-  /// Numbers of up to one dimension; those of unsigned types that do not fit come as the largest.
+  /// Integers in at most one dimension; unsigned ones that do not fit become the largest.
   std::vector<std::int64_t> integers(const std::string& path) const;
-  /// binary32, binary64 and integers that it holds exactly.
+  /// Numbers that are binary32, binary64, or integers that binary64 represents exactly.
   std::vector<double> reals(const std::string& path) const;
-  /// The same for a data set that may have been created and never written, which the library reads as zeros: `written`
-  /// says whether it was. All other functions refuse such a set. More than `most` numbers are refused before memory is
-  /// allocated for them.
+  /// The same for a data set that may have been created but never written, which the library reads as zeros; sets
+  /// `written` accordingly. All other functions refuse such a data set. Refuses more than `most` numbers before it
+  /// allocates memory for them.
   std::vector<double> reals(const std::string& path, bool& written, std::optional<std::size_t> most) const;
   /// A text of fixed length, up to its first zero byte; nothing if it is not a text or longer than 64 KiB.
   std::optional<std::string> text(const std::string& path) const;

@@ -9,19 +9,20 @@
 
 namespace slipproof {
 
-/// A value. Its texts are those of the source and of the tree, which must outlive it.
+/// A JSON value. Refers to texts in the source and in the tree, which must outlive it.
 struct JsonNode {
   enum class Kind : std::uint8_t { null, truth, number, text, list, object };
   Kind kind = Kind::null;
-  std::string_view text;                  ///< of a number or a truth value as it is written, of a text its contents
-  std::vector<JsonNode> items;            ///< of a list, or of an object with its keys
-  std::vector<std::string_view> keys;     ///< of an object
-  std::vector<std::string_view> numbers;  ///< of a list of numbers only, in place of the items: a tenth of the memory
+  std::string_view text;               ///< a number or truth value as written, or the contents of a string
+  std::vector<JsonNode> items;         ///< the elements of a list, or the values of an object
+  std::vector<std::string_view> keys;  ///< keys of an object
+  /// Elements of a list of numbers only, instead of `items`: takes a tenth of the memory.
+  std::vector<std::string_view> numbers;
 
-  /// Of a list.
+  /// The length of a list.
   std::size_t size() const { return items.size() + numbers.size(); }
   JsonNode item(std::size_t k) const;
-  /// Of an object; null if it has no such key.
+  /// The value of a key in an object; null if the key is missing.
   const JsonNode* find(std::string_view key) const;
 };
 
@@ -30,8 +31,8 @@ struct JsonTree {
   std::deque<std::string> texts;  ///< those with escapes, decoded
 };
 
-/// Reads a text that is one object; `text` must outlive it. Throws FormatStop: for what is not JSON, for a duplicate
-/// key, and for values nested more than 8 deep.
+/// Reads a JSON object; `text` must outlive the tree. Throws FormatStop if the text is not a JSON object, for a
+/// duplicate key, and for values nested more than 8 deep.
 JsonTree read_json_tree(std::string_view text);
 
 /// "found a list", "found null", for messages.

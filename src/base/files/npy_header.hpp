@@ -16,16 +16,16 @@ inline constexpr std::string_view npy_signature = "\x93NUMPY";
 struct NpyField {
   std::string name;
   CellType type;
-  std::size_t offset = 0;  ///< in the bytes of an item
+  std::size_t offset = 0;  ///< within an item, in bytes
 };
 
 struct NpyHeader {
-  std::vector<NpyField> fields;  ///< of a structured array; of another one a single field without a name
+  std::vector<NpyField> fields;  ///< fields of a structured array; otherwise a single field without a name
   bool structured = false, fortran = false;
   std::size_t item = 0;              ///< bytes of an item
   std::vector<std::uint64_t> shape;  ///< empty for a single item
   std::uint64_t items = 1;           ///< the product of the shape
-  std::uint64_t start = 0;           ///< where the data begin
+  std::uint64_t start = 0;           ///< offset of the data in bytes
 };
 
 /// Reads the header of an array of `size` bytes, and leaves the run at the data, whose size must be exactly what the

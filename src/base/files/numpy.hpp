@@ -10,7 +10,7 @@
 
 namespace slipproof {
 
-/// How an archive of NumPy (.npz) begins. None is read.
+/// The first bytes of a NumPy archive (.npz), which slipproof does not read.
 inline constexpr std::string_view zip_signature = "PK\x03\x04";
 
 /// Reads an array of binary64, binary32 or integers (rounded to the nearest binary64), of either byte order, with one

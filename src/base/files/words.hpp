@@ -11,32 +11,33 @@
 
 namespace slipproof {
 
-/// Problems at real size are as long as they are; what is longer than this is refused.
+/// Longest accepted file with a contact problem, in bytes; real problems are shorter.
 inline constexpr std::size_t max_problem_file_size = std::size_t{1} << 29U;
 
-/// Where a text ceased to be what it was read as.
+/// The place and message of the first mistake in a text. Thrown by readers, caught by the code that knows the file.
 struct FormatStop {
   std::size_t position = 0;  ///< a byte of the text
-  std::string message;       ///< what was found and what was expected
+  std::string message;       ///< found ..., expected ...
 };
 
-/// The binary64 nearest to a decimal, an infinity beyond its range; nan, inf and infinity in any case. Nothing for what
-/// is neither.
+/// The binary64 nearest to a decimal, an infinity beyond its range; nan, inf and infinity in any case. Nothing for any
+/// other text.
 std::optional<double> read_binary64(std::string_view word);
 
 /// Line and column of a byte.
 Place place_in(std::string_view text, std::size_t position);
 
-/// Throws InputError with the place of the stop.
+/// Throws InputError with the place of `stop`.
 [[noreturn]] void refuse(const std::string& file, std::string_view text, const FormatStop& stop);
-/// The same without a place in a text.
+/// The same without a place in the text.
 [[noreturn]] void refuse(const std::string& file, const std::string& message);
 
-/// Throws InputError where there are more numbers than expected, before room is made for them.
+/// Throws InputError if there are more numbers than expected, before memory is allocated for them.
 void refuse_more(const std::string& file, const std::string& where, std::uint64_t found,
                  std::optional<std::size_t> expected);
 
-/// Words are what blanks and line ends part. What is not as expected throws FormatStop; `expected` is its name there.
+/// Splits a text into words at blanks and line ends. Throws FormatStop for an unexpected word; `expected` describes the
+/// expected one.
 class WordReader {
  public:
   explicit WordReader(std::string_view text, std::size_t position = 0) : text_(text), position_(position) {}
@@ -44,7 +45,7 @@ class WordReader {
   /// The next word; empty at the end of the text.
   std::string_view peek();
   std::string_view next();
-  /// Of the next word.
+  /// The position of the next word.
   std::size_t position();
   /// The rest of the line. Consumes the line end, too.
   std::string_view rest_of_line();
@@ -54,10 +55,10 @@ class WordReader {
   std::size_t count(std::string_view expected);
   double finite_number(std::string_view expected);
   double number(std::string_view expected);
-  /// Takes this very word.
+  /// Reads exactly this word.
   void word(std::string_view expected);
 
-  /// Stops at the next word.
+  /// Throws FormatStop at the next word.
   [[noreturn]] void stop(const std::string& expected);
 
  private:

@@ -23,7 +23,7 @@ struct Diagnostic {
   std::string file;
   std::size_t line = 0;
   std::size_t column = 0;
-  std::string message;  ///< what was found and what was expected
+  std::string message;  ///< found ..., expected ...
 
   bool operator==(const Diagnostic&) const = default;
 };

@@ -7,12 +7,13 @@
 
 namespace slipproof {
 
-/// What the language has for a character beyond ASCII: `-` for U+2212, `mu` for U+00B5 and U+03BC; empty if nothing.
+/// The ASCII replacement of a character: `-` for U+2212, `mu` for U+00B5 and U+03BC; empty if there is none.
 std::string_view in_ascii(char32_t character);
 
-/// The first character of a text beyond ASCII and its code; nothing if there is none before the first malformed byte.
+/// The first character of a text beyond ASCII and its code; nothing if all characters up to the first malformed byte
+/// are ASCII.
 struct OddCharacter {
-  std::size_t position;  ///< of its first byte
+  std::size_t position;  ///< position of its first byte
   std::string_view bytes;
   char32_t code;
 };

@@ -17,12 +17,12 @@ namespace slipproof {
 /// written. Reports anything else at its place, after `name`.
 std::optional<Rational> read_number(const TomlValue& value, std::string_view name, Mistakes& mistakes);
 
-/// One table with the keys that it may have. Getters return nothing both for an absent key and for one whose value they
-/// have reported; `has` distinguishes the two. The table and the mistakes must outlive the reader.
+/// Reads a table. Getters return nothing for an absent key, and for a value that they have reported as wrong; `has`
+/// distinguishes the two. The table and the mistakes must outlive the reader.
 class TableReader {
  public:
-  /// Reports every key that is not among `keys`, with the one that may have been meant. `name` is how messages call the
-  /// table, empty for the root.
+  /// Reports every key that is not among `keys`, with a suggestion. `name` is the name of the table in messages, empty
+  /// for the root.
   TableReader(const TomlValue& table, std::string name, std::span<const std::string_view> keys, Mistakes& mistakes);
 
   bool has(std::string_view key) const { return table_.find(key) != nullptr; }

@@ -7,15 +7,15 @@
 
 namespace slipproof {
 
-/// Scenes and claims are written by hand: nothing of this kind is longer.
+/// Longest accepted scene or claims file, in bytes; such files are written by hand.
 inline constexpr std::size_t max_text_file_size = 1U << 20U;
 
 /// The bytes of a file. Throws InputError when it cannot be opened or read, is a directory, or is longer than
 /// `max_size` (which also ends the reading of an endless device).
 std::string read_text_file(const std::filesystem::path& path, std::size_t max_size = max_text_file_size);
 
-/// The same for a file that no user named, such as one found in a folder. Also throws InputError when it is not a
-/// regular file, and does not open it: reading a pipe would wait for a writer.
+/// Reads a file that the user did not name, such as one found in a folder. Also throws InputError if it is not a
+/// regular file, without opening it, since reading a pipe would wait for a writer.
 std::string read_found_file(const std::filesystem::path& path, std::size_t max_size = max_text_file_size);
 
 }  // namespace slipproof

@@ -24,7 +24,7 @@ class PlacedText {
   PlacedText(std::string text, Place start) : text_(std::move(text)), steps_{{0, start}} {}
 
   const std::string& text() const { return text_; }
-  /// The place in the file of the character at byte `position` of text(); at its end, of what follows it there.
+  /// The place in the file of the character at byte `position` of text(); for the end of text(), the place after it.
   Place at(std::size_t position) const;
 
   /// From byte `position` of text() on, characters stand at `place` and to the right of it. Positions must not
@@ -46,7 +46,7 @@ struct TomlEntry;
 struct TomlValue {
   enum class Kind { string, number, boolean, date, array, table };
   Kind kind = Kind::table;
-  Place place;                     ///< of its first character; of a [table], of its name in the header
+  Place place;                     ///< place of its first character; for a [table], of its name in the header
   PlacedText text;                 ///< string: its value, placed inside the quotes. Number, boolean, date: as written
   std::vector<TomlValue> items;    ///< array
   std::vector<TomlEntry> entries;  ///< table, in the order of the file
@@ -57,7 +57,7 @@ struct TomlValue {
 
 struct TomlEntry {
   std::string key;
-  Place place;  ///< of the key
+  Place place;  ///< place of the key
   TomlValue value;
 };
 

@@ -12,10 +12,10 @@ namespace slipproof {
 /// none).
 std::size_t utf8_length(std::string_view text);
 
-/// Adds a character; a question mark for a number that is none.
+/// Appends a character; a question mark if the number is not a Unicode scalar value.
 void append_utf8(std::string& text, std::uint32_t c);
 
-/// The number of characters: of bytes that do not continue one.
+/// The number of characters, that is, of bytes that do not continue one.
 std::size_t utf8_count(std::string_view text);
 
 /// `start` and `text`, broken at blanks into lines of 80 columns unless a word is longer; further lines are indented by

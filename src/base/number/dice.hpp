@@ -9,8 +9,8 @@
 
 namespace slipproof {
 
-/// The numbers of std::mt19937_64, which is the same everywhere, but seeds its state only as far as needed: a sample
-/// needs a few dozen numbers, and seeding all 312 words would take most of its time.
+/// Generates the numbers of std::mt19937_64, but seeds its state only as needed: a sample takes a few dozen numbers,
+/// and seeding all 312 words would take most of the time.
 class Twister {
  public:
   explicit Twister(std::uint64_t seed) { state_[0] = seed; }

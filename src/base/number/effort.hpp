@@ -11,11 +11,11 @@
 
 namespace slipproof {
 
-/// Counted in operations on words of 64 bits, about; one or two nanoseconds each.
+/// Work, in operations on 64-bit words (approximately); each takes one or two nanoseconds.
 using Work = std::uint64_t;
 inline constexpr Work unlimited = std::numeric_limits<Work>::max();
 
-/// A sum and a product that stay endless where they would be more.
+/// Sum and product that saturate at `unlimited`.
 Work plus(Work x, Work y);
 Work times(Work x, Work y);
 
@@ -27,20 +27,21 @@ std::size_t bit_count(const Rational& x);
 /// the fastest n log n, plus a constant.
 Work product_work(std::size_t bits);
 
-/// More work would be needed than is allowed.
+/// Thrown if the work would exceed the limit.
 class TooMuchWork : public std::runtime_error {
  public:
   TooMuchWork() : std::runtime_error("too much work") {}
 };
 
-/// What may still be done.
+/// The work that is still allowed.
 class Effort {
  public:
   explicit Effort(Work allowed) : left_(allowed) {}
 
   Work left() const { return left_; }
   bool allows(Work work) const { return work <= left_; }
-  /// Throws TooMuchWork, with nothing left, where that is not allowed, and Stopped where the call was asked to end.
+  /// Subtracts work. Throws TooMuchWork if too little is left, which then becomes 0, and Stopped if a stop was
+  /// requested.
   void spend(Work work) {
     stop_if_asked();
     if (!allows(work)) {

@@ -43,10 +43,9 @@ class Integer {
       fmpz_init_set_ui(&value_, x);
     }
   }
-  /// From the digits of base 10 or 16, with - before those of a negative one. Throws std::invalid_argument for another
-  /// text.
+  /// Reads digits of base 10 or 16, with - before a negative number. Throws std::invalid_argument for any other text.
   explicit Integer(const std::string& digits, int base = 10);
-  /// FLINT's and GMP's.
+  /// Copies a number of FLINT or GMP.
   explicit Integer(const fmpz_t x) { fmpz_init_set(&value_, x); }
   explicit Integer(const mpz_t x) { fmpz_set_mpz(&value_, x); }
   Integer(const Integer& other) { fmpz_init_set(&value_, &other.value_); }
@@ -61,9 +60,9 @@ class Integer {
   }
   ~Integer() { fmpz_clear(&value_); }
 
-  /// -1, 0 or +1.
+  /// The sign: -1, 0 or +1.
   int sign() const { return is_short() ? (value_ > 0) - (value_ < 0) : fmpz_sgn(&value_); }
-  /// -1, 0 or +1 as this is less than y, equal or greater.
+  /// -1, 0 or +1 if this is less than, equal to or greater than y.
   int compare(const Integer& y) const {
     const int order = fmpz_cmp(&value_, &y.value_);
     return (order > 0) - (order < 0);
@@ -71,14 +70,14 @@ class Integer {
   bool is_zero() const { return value_ == 0; }
   bool is_one() const { return value_ == 1; }
   bool is_odd() const { return fmpz_is_odd(&value_) != 0; }
-  /// How many bits |x| has; 0 for 0.
+  /// The number of bits of |x|; 0 for 0.
   std::size_t bits() const { return fmpz_bits(&value_); }
-  /// Whether to_long() has it.
+  /// Whether to_long() can represent it.
   bool fits_long() const { return is_short() || fmpz_fits_si(&value_) != 0; }
   long to_long() const { return is_short() ? value_ : fmpz_get_si(&value_); }
-  /// The nearest binary64 that is not further from 0.
+  /// The binary64 that results from truncation towards 0.
   double to_double() const;
-  /// In base 10 or 16.
+  /// Digits in base 10 or 16.
   std::string str(int base = 10) const;
 
   Integer& operator+=(const Integer& y) {
@@ -149,7 +148,7 @@ class Integer {
   friend std::strong_ordering operator<=>(const Integer& x, const Integer& y) { return x.compare(y) <=> 0; }
   friend void swap(Integer& x, Integer& y) noexcept { std::swap(x.value_, y.value_); }
 
-  /// For FLINT's functions: a pointer to the number.
+  /// A pointer to FLINT's representation, for calls of its functions.
   const fmpz* flint() const { return &value_; }
   fmpz* flint() { return &value_; }
 
@@ -170,7 +169,7 @@ Integer lcm(const Integer& x, const Integer& y);
 Integer pow(const Integer& base, unsigned long exponent);
 /// The root of a number that is not negative, rounded down.
 Integer sqrt(const Integer& x);
-/// The root of a square; nothing of what is none.
+/// The square root if x is a perfect square, otherwise nothing.
 std::optional<Integer> exact_root(const Integer& x);
 /// x / y where y divides x; y must not be 0.
 Integer exact_quotient(const Integer& x, const Integer& y);
@@ -179,7 +178,7 @@ std::ostream& operator<<(std::ostream& out, const Integer& x);
 struct QuotientAndRemainder {
   Integer quotient, remainder;
 };
-/// What / and % give, at once.
+/// Computes x / y and x % y together.
 QuotientAndRemainder divide(const Integer& x, const Integer& y);
 
 /// A number in GMP's form, valid as long as this and the number live; read-only.

@@ -22,16 +22,16 @@ class Rational {
   Rational(T x) : numerator_(x) {}                   // NOLINT: integers are rational
   Rational(Integer x) : numerator_(std::move(x)) {}  // NOLINT: so are these
   Rational(Integer dividend, Integer divisor);
-  /// What str() gave, of any length. Throws std::invalid_argument for another text and std::overflow_error for a
-  /// divisor 0. What people write is for parse_rational().
+  /// Reads the output of str(), of any length. Throws std::invalid_argument for any other text and std::overflow_error
+  /// for the divisor 0. For input from people use parse_rational().
   explicit Rational(const std::string& text);
-  /// FLINT's and GMP's, in lowest terms.
+  /// Copies a number of FLINT or GMP, which must be in lowest terms.
   explicit Rational(const fmpq_t x) : numerator_(&x->num), denominator_(&x->den) {}
   explicit Rational(const mpq_t x) : numerator_(mpq_numref(x)), denominator_(mpq_denref(x)) {}
 
-  /// -1, 0 or +1.
+  /// The sign: -1, 0 or +1.
   int sign() const { return numerator_.sign(); }
-  /// -1, 0 or +1 as this is less than y, equal or greater.
+  /// -1, 0 or +1 if this is less than, equal to or greater than y.
   int compare(const Rational& y) const {
     const int order = _fmpq_cmp(numerator_.flint(), denominator_.flint(), y.numerator_.flint(), y.denominator_.flint());
     return (order > 0) - (order < 0);
@@ -39,9 +39,9 @@ class Rational {
   bool is_zero() const { return numerator_.is_zero(); }
   /// "3/4", "-5".
   std::string str() const;
-  /// The binary64 that is nearest of those that are not further from 0.
+  /// The binary64 that results from truncation towards 0.
   double to_double() const;
-  explicit operator double() const { return to_double(); }  ///< for code that is written over any number type
+  explicit operator double() const { return to_double(); }  ///< for templates over number types
 
   Rational& operator+=(const Rational& y) {
     if (y.is_zero()) return *this;
@@ -101,7 +101,7 @@ class Rational {
   friend Integer numerator(Rational&& x);
   friend Integer denominator(Rational&& x);
 
-  /// FLINT's, for functions that read it: good for as long as the number lives and does not change.
+  /// FLINT's representation, for functions that read it. Valid while the number lives and does not change.
   fmpq flint() const { return {*numerator_.flint(), *denominator_.flint()}; }
 
  private:

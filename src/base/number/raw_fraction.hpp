@@ -9,7 +9,7 @@ namespace slipproof {
 struct RawFraction {
   Integer numerator, denominator;
 
-  /// -1, 0 or 1; the denominator must not be 0.
+  /// The sign: -1, 0 or +1. The denominator must not be 0.
   int sign() const { return numerator.sign() * denominator.sign(); }
 };
 

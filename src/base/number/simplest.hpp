@@ -16,8 +16,8 @@ Integer height(const Rational& x);
 /// infinite end. Throws std::invalid_argument if there is nothing between them.
 Rational simplest_between(const std::optional<Rational>& lower, const std::optional<Rational>& upper);
 
-/// How simple a sample is: the largest height of its values, then the number of values other than 1, then the sum of
-/// heights. Smaller is simpler.
+/// The complexity of a sample, compared lexicographically: the largest height of its values, the number of values other
+/// than 1, the sum of heights.
 struct Complexity {
   Integer height;
   std::size_t non_one = 0;

@@ -7,8 +7,8 @@
 namespace slipproof {
 
 struct ProgramRun {
-  std::string output;  ///< what it wrote to standard output
-  int exit_code = 0;   ///< for a program ended by a signal, the signal's number + 128, as in shells
+  std::string output;  ///< its standard output
+  int exit_code = 0;   ///< exit code; 128 + the signal's number if a signal ended it, as in shells
 };
 
 /// Runs arguments[0], which is looked up in PATH where it has no slash, with the others, without a shell; standard

@@ -1,4 +1,4 @@
-// Files that must not be written over.
+// Input files, which must not be overwritten.
 #pragma once
 
 #include <sys/types.h>
@@ -11,8 +11,8 @@
 
 namespace slipproof {
 
-/// The files that a result is made from, known by device and inode: by another name, a link or a hard link, they are
-/// the same. Paths that lead to no regular file are passed over.
+/// The input files of a result, identified by device and inode, so that other names, links and hard links are
+/// recognised. Ignores paths that are not regular files.
 class Inputs {
  public:
   Inputs() = default;
@@ -20,7 +20,7 @@ class Inputs {
   Inputs(std::initializer_list<std::filesystem::path> files) : Inputs(std::vector(files)) {}
 
   void add(const std::filesystem::path& file);
-  /// Throws InputError where `path` is one of them.
+  /// Throws InputError if `path` is one of them.
   void refuse(const std::filesystem::path& path) const;
 
  private:

@@ -11,10 +11,10 @@ namespace slipproof {
 
 using Json = nlohmann::ordered_json;
 
-/// On one line, or with `indent` spaces a level. Text with broken UTF-8 is repaired rather than refused.
+/// JSON on one line, or indented by `indent` spaces a level. Replaces invalid UTF-8.
 std::string json_text(const Json& json, int indent = -1);
 
-/// The members of an object, or the elements of an array, without what stands around them.
+/// The members of an object or the elements of an array, without the enclosing brackets.
 std::string inner_json_text(const Json& json);
 
 /// A list of numbers as texts, `["3/4", ...]`.

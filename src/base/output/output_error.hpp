@@ -11,9 +11,9 @@ class OutputError : public std::runtime_error {
  public:
   OutputError(const std::string& place, const std::string& reason)
       : std::runtime_error(place + ": cannot be written: " + reason) {}
-  /// As it was said already, by another process.
+  /// Repeats a message of another process.
   explicit OutputError(const std::string& message) : std::runtime_error(message) {}
-  /// With the system's words for its error number.
+  /// Describes a place and the system's error number.
   OutputError(const std::string& place, int system_error);
 };
 

@@ -10,18 +10,18 @@
 
 namespace slipproof {
 
-/// Where a result may go. What a user names may be a pipe or a device; a file that the program names itself may not:
-/// writing to a pipe that happens to have its name would wait for a reader.
+/// Allowed targets. A path from the user may be a pipe or a device. A path that the program chose must be a file, since
+/// writing to a pipe of that name would wait for a reader.
 enum class Targets : std::uint8_t { all, files };
 
-/// A file for the result of long work. Constructing it before the work shows whether it can be written, so that no
-/// result is lost for want of a place.
+/// A file for the result of long work. Construct it before the work, so that an unwritable file is reported before the
+/// work is done.
 ///
-/// The contents go to a nameless file in the same folder, are flushed to the disk, and then take the name at once:
-/// whatever happens in between, the older content stays. The permissions of an older file are kept. A symbolic link is
-/// followed, and its target replaced; other names of that file (hard links) keep the older content. Pipes, devices and
-/// open descriptors (/dev/stdout) are written directly. On a file system without nameless files, a file called
-/// .slipproof-PROCESS-NUMBER is used; it remains only if a signal ends the program while it writes.
+/// The contents are written to a nameless file in the same folder and flushed to the disk; the file then takes the name
+/// atomically. Until then the older content stays, also after a crash. The permissions of an older file are kept. A
+/// symbolic link is followed, and its target replaced; other names of that file (hard links) keep the older content.
+/// Pipes, devices and open descriptors (/dev/stdout) are written directly. On a file system without nameless files, a
+/// file called .slipproof-PROCESS-NUMBER is used; it remains only if a signal ends the program while it writes.
 class OutputFile {
  public:
   /// Changes nothing yet. Throws OutputError if no file can be written there: the folder is missing or cannot be
@@ -39,12 +39,12 @@ class OutputFile {
   void write_to(int descriptor, std::string_view contents) const;
   void write_beside(std::string_view contents) const;
 
-  std::filesystem::path path_;    ///< as the caller says it
-  std::filesystem::path target_;  ///< behind symbolic links
+  std::filesystem::path path_;    ///< as given by the caller
+  std::filesystem::path target_;  ///< with symbolic links resolved
   Kind kind_ = Kind::file;
 };
 
-/// Writes a file whole. Throws as the constructor of OutputFile does.
+/// Writes a complete file. Throws as the constructor of OutputFile does.
 void write_file(const std::filesystem::path& path, std::string_view contents, const Inputs& inputs = {},
                 Targets allowed = Targets::all);
 

@@ -5,7 +5,7 @@
 
 namespace slipproof {
 
-/// Writes at once, past any buffer. Throws OutputError, so that nothing is lost in silence.
+/// Writes without buffering. Throws OutputError if not all of the text could be written.
 void write_standard_output(std::string_view text);
 
 }  // namespace slipproof

@@ -17,7 +17,7 @@ class TemporaryFile {
   ~TemporaryFile();
 
   int descriptor() const { return file_.number(); }
-  /// Takes the place of `target`, a path in the same folder, at once.
+  /// Replaces `target`, a path in the same folder, atomically.
   void become(const std::filesystem::path& target);
 
  private:

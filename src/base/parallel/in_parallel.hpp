@@ -31,7 +31,7 @@ void pieces_in_parallel(std::size_t first, std::size_t last, std::size_t, const 
 
 #else
 
-/// work(), in which in_parallel() uses so many threads (see thread_count()). Returns what it does.
+/// Calls work(), during which in_parallel() uses `threads` threads (see thread_count()), and returns its result.
 template <class Work>
 auto on_threads(unsigned threads, const Work& work) {
   tbb::task_arena arena(thread_count(threads));
@@ -65,7 +65,7 @@ void in_parallel(std::size_t first, std::size_t last, const Work& work) {
   });
 }
 
-/// The same with each index as a task of its own: for work that differs by orders of magnitude.
+/// The same with one task for each index, for work whose cost varies by orders of magnitude.
 template <class Work>
 void each_in_parallel(std::size_t first, std::size_t last, const Work& work) {
 #ifdef SLIPPROOF_SERIAL

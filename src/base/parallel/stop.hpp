@@ -7,14 +7,15 @@
 
 namespace slipproof {
 
-/// Thrown out of a call that was asked to end. What it wrote so far is whole; its result is not there.
+/// Thrown by a call of the library after a stop was requested. Files written so far are complete; the call has no
+/// result.
 class Stopped : public std::exception {
  public:
   const char* what() const noexcept override { return "stopped, as was asked"; }
 };
 
-/// While it lives, calls of the library on this thread, and their work on other threads, look at the token every few
-/// milliseconds and end with Stopped once it is asked for. Scopes nest; the innermost counts.
+/// While a scope lives, calls of the library on this thread, and their work on other threads, check the token every few
+/// milliseconds and throw Stopped after a stop was requested. Scopes nest; the innermost one counts.
 ///   std::stop_source source;             // shared with the code that may ask: source.request_stop()
 ///   const StopScope scope(source.get_token());
 ///   verify(file, options);               // throws Stopped
@@ -26,7 +27,7 @@ class StopScope {
   StopScope(const StopScope&) = delete;
   StopScope& operator=(const StopScope&) = delete;
 
-  /// The token of this thread, to pass to the threads that work for it; without a scope, one that is never asked to
+  /// The token of this thread, to pass to threads that work for it. Without a scope, a token that never requests a
   /// stop.
   static std::stop_token token() { return here() ? *here() : std::stop_token(); }
   static bool asked() { return here() && here()->stop_requested(); }
@@ -41,7 +42,7 @@ class StopScope {
   const std::stop_token* outer_;
 };
 
-/// Long loops call this; it takes a few nanoseconds unless a stop was asked for.
+/// Throws Stopped if a stop was requested. For long loops; takes a few nanoseconds.
 inline void stop_if_asked() {
   if (StopScope::asked()) throw Stopped();
 }

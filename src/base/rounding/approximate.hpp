@@ -31,7 +31,7 @@ struct Approximate {
   bool is_zero() const { return value == 0 && error == 0; }  ///< surely
 };
 
-/// What a product or quotient can lose to underflow; an exact 0 loses nothing.
+/// Bound on the loss of a product or quotient by underflow; 0 for an exact 0.
 inline double underflow_unless_zero(double size_of_x, double size_of_y) {
   return size_of_x > 0 && size_of_y > 0 ? batch_underflow : 0;
 }
@@ -61,7 +61,7 @@ inline Approximate operator/(const Approximate& x, const Approximate& y) {
   return {value, (propagated + batch_rounding * size + underflow) * bound_inflation};
 }
 
-/// -1, 0 or +1; nothing where the bound leaves it open.
+/// The sign, -1, 0 or +1; nothing if the error bound leaves it undecided.
 inline std::optional<int> sure_sign(const Approximate& x) {
   if (x.value > x.error) return 1;
   if (x.value < -x.error) return -1;

@@ -7,7 +7,8 @@ namespace slipproof {
 inline constexpr double batch_rounding = 0x1p-52;
 /// Pays for the roundings of a bound, at most seven.
 inline constexpr double bound_inflation = 1 + 0x1p-49;
-/// More than all that can underflow in a product or quotient and in its bound, while divisors are below the largest.
+/// Exceeds the total underflow in a product or quotient and in its error bound, if divisors are below the largest
+/// allowed one.
 inline constexpr double batch_underflow = 0x1p-560;
 inline constexpr double batch_largest_divisor = 0x1p500;
 

@@ -1,4 +1,4 @@
-// Numbers of many points at once: between which bounds all of them lie as computed, and a bound on the error of each;
+// Ranges over many points: bounds that contain all computed values, and a bound on the error of each;
 // src/floating/tape/MATHEMATICS.md derives it.
 #pragma once
 
@@ -10,10 +10,10 @@
 
 namespace slipproof {
 
-/// What RunningError computes of any point whose inputs lie in the ranges of the inputs has a value from `lower` to
-/// `upper` and an error that is not above this one: rounding is monotone, and so are the formulas, which are the same.
-/// `lower` and `upper` may be moved together where each point is asked for that; the error is of what was computed
-/// before. What is not known has an infinite error or one that is NaN.
+/// For each point whose inputs lie in the ranges of the inputs, RunningError computes a value from `lower` to `upper`
+/// and an error bound of at most `error`, because it uses the same formulas, and these and rounding are monotone.
+/// `lower` and `upper` may be replaced together, if the same is done at each point; `error` then refers to the values
+/// before. If nothing is known, the error is infinite or NaN.
 struct SharedRange {
   double lower = 0, upper = 0, error = 0;
 

@@ -8,7 +8,7 @@
 #include "base/expression/parser.hpp"
 #include "claims/identity/symbolic.hpp"
 #include "claims/identity/symbolic_motion.hpp"
-#include "claims/statements/setting_writer.hpp"
+#include "claims/plain/plain_setting.hpp"
 
 namespace slipproof {
 
@@ -195,7 +195,7 @@ std::optional<Identity> find_identity(const ClaimsFile& file, const CompiledClai
   if (!search.find()) return std::nullopt;
   NeverZero never_zero(file, c, reading, book);
   Identity identity;
-  identity.has_interval_of_forces = SettingWriter(file.settings[c.setting], reading).has_interval_of_forces();
+  identity.has_interval_of_forces = PlainSetting(file.settings[c.setting], reading).has_interval_of_forces();
   for (const MultiPolynomial& divisor : search.divisors()) {
     if (!never_zero.shown(divisor)) identity.unless_zero.push_back(divisor.text());
   }

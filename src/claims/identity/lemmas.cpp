@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "base/expression/logic.hpp"
+#include "claims/plain/plain_setting.hpp"
 #include "claims/statements/claim_statements.hpp"
-#include "claims/statements/setting_writer.hpp"
 #include "proofs/check/judge.hpp"
 #include "proofs/search/prove.hpp"
 #include "proofs/statement/statement.hpp"
@@ -123,15 +123,15 @@ bool Implications::prove(const std::vector<Expression>& given, const Expression&
 }
 
 bool Implications::has_interval_of_forces() const {
-  return SettingWriter(file_->settings[setting_], Reading::printed).has_interval_of_forces();
+  return PlainSetting(file_->settings[setting_], Reading::printed).has_interval_of_forces();
 }
 
 bool Implications::is_linear(const Expression& equation) const {
-  return SettingWriter(file_->settings[setting_], Reading::printed).is_linear(equation);
+  return PlainSetting(file_->settings[setting_], Reading::printed).is_linear(equation);
 }
 
 bool Implications::has_value(const std::vector<Expression>& given, const Expression& truth, Lemmas& lemmas) const {
-  return SettingWriter(file_->settings[setting_], Reading::printed).always_defined(truth) ||
+  return PlainSetting(file_->settings[setting_], Reading::printed).always_defined(truth) ||
          implies(given, make(Operation::logical_or, {truth, opposite(truth)}), lemmas);
 }
 
@@ -178,7 +178,7 @@ bool Implications::divides_alike(const std::vector<Expression>& given, const Exp
 bool Implications::eventually(const Expression& given, const Expression& shown, std::string_view parameter,
                               Lemmas& lemmas) const {
   if (names_.depends(given, Reading::printed, parameter)) return false;
-  if (SettingWriter(file_->settings[setting_], Reading::printed).is_bounded(std::string(parameter))) return false;
+  if (PlainSetting(file_->settings[setting_], Reading::printed).is_bounded(std::string(parameter))) return false;
   auto text = implication_statement(*file_, {.name = "lemma",
                                              .setting = setting_,
                                              .given = {given},

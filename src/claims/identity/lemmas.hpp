@@ -57,7 +57,7 @@ class Implications {
     result.force_domain_ = false;
     return result;
   }
-  /// See SettingWriter.
+  /// See PlainSetting.
   bool has_interval_of_forces() const;
   bool is_linear(const Expression& equation) const;
   /// Whether a condition, or equation, has a value under `given`.

@@ -18,7 +18,7 @@ class ConsequenceKind : public LinearKind {
     std::vector<Expression> uses = others;
     uses.push_back(all_of(claim.equations));
     writer.implied({"", {{"region", claim.region}}, hypotheses(writer, others), false},
-                   conjunction_text(writer, claim.equations), uses);
+                   writer.formula_of_all(claim.equations), uses);
     have_values(writer, all);
   }
 

@@ -50,8 +50,8 @@ class ExistsKind : public KindBase {
   }
 
  private:
-  static std::vector<MotionText> motions(ClaimWriter& writer) {
-    std::vector<MotionText> all;
+  static std::vector<StatedMotion> motions(ClaimWriter& writer) {
+    std::vector<StatedMotion> all;
     for (const MechanismMode& mode : writer.body().modes) all.push_back(writer.motion(mode));
     return all;
   }

@@ -55,7 +55,7 @@ class FormulaKind : public KindBase {
 
   void refute(ClaimWriter& writer) const override {
     const ClaimBody& claim = writer.body();
-    std::vector<MotionText> motions;
+    std::vector<StatedMotion> motions;
     if (claim.modes.size() == 1) motions = {writer.motion(claim.modes.front())};
     if (claim.modes.size() > 1) {
       motions = {writer.one_of(writer.modelled(claim.modes), writer.setting().strict)};

@@ -47,7 +47,7 @@ class IntervalKind : public KindBase {
   /// ID.only-then: a motion in the mode needs a force of `forces`; ID.always: each such force has a motion.
   void state(ClaimWriter& writer) const override {
     const ClaimBody& claim = writer.body();
-    const MotionText motion = writer.motion(claim.modes.front());
+    const StatedMotion motion = writer.motion(claim.modes.front());
     writer.implied({".only-then", {{"region", claim.region}}, motion, true, {}, writer.always_defined(claim.forces)},
                    claim.forces);
     writer.exists({".always", {{"region", claim.region}, {"force", claim.forces}}, {}, true, {}, true}, motion);

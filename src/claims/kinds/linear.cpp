@@ -1,7 +1,6 @@
 #include "claims/kinds/linear.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include "claims/statements/formulas.hpp"
 
 namespace slipproof {
 
@@ -52,7 +51,7 @@ Judgement LinearKind::judge(ClaimJudge& at) const {
 
 void LinearKind::refute(ClaimWriter& writer) const {
   const ClaimBody& claim = writer.body();
-  std::vector<MotionText> motions = {{"", "0 = 0"}};
+  std::vector<StatedMotion> motions = {{{}, plainly_true()}};
   if (claim.from_model()) motions = {writer.equations(claim.mode())};
   std::vector<Expression> truths = {claim.region, opposite(all_of(claim.equations))};
   const Equations others = equations_of(writer, sources(claim), claim.assume);
@@ -78,20 +77,10 @@ References LinearKind::sources(const ClaimBody& claim) {
   return all;
 }
 
-std::string LinearKind::conjunction_text(ClaimWriter& writer, const Equations& equations) {
-  std::vector<std::string> texts;
-  for (const Expression& equation : equations) {
-    std::string text = writer.text(equation);
-    const bool cases = text.find(" or ") != text.npos;  // of functions
-    texts.push_back(cases ? "{" + text + "}" : std::move(text));
-  }
-  return fmt::format("{}", fmt::join(texts, " and "));
-}
-
-MotionText LinearKind::hypotheses(ClaimWriter& writer, const Equations& others) {
-  MotionText result{"", ""};
+StatedMotion LinearKind::hypotheses(ClaimWriter& writer, const Equations& others) {
+  StatedMotion result;
   if (writer.body().from_model()) result = writer.equations(writer.body().mode());
-  if (!others.empty()) result.formula += (result.formula.empty() ? "" : " and ") + conjunction_text(writer, others);
+  result.formula = conjoined({result.formula, writer.formula_of_all(others)});
   return result;
 }
 
@@ -102,12 +91,11 @@ void LinearKind::have_values(ClaimWriter& writer, const Equations& equations) {
   Equations divided = equations;
   std::erase_if(divided, [&](const Expression& e) { return writer.always_defined(e); });
   if (divided.empty()) return;
-  std::string shown;
-  for (const Expression& e : divided) {
-    const Expression valued = make(Operation::logical_or, {e, opposite(e)});
-    shown += (shown.empty() ? "{" : " and {") + writer.text(valued) + "}";
-  }
-  writer.implied({".defined", {{"region", region}}, MotionText{"", "0 = 0"}, false}, shown, {all_of(divided)});
+  std::vector<Expression> shown;
+  for (const Expression& e : divided)
+    shown.push_back(braced(writer.formula(make(Operation::logical_or, {e, opposite(e)}))));
+  writer.implied({".defined", {{"region", region}}, StatedMotion{{}, plainly_true()}, false}, conjoined(shown),
+                 {all_of(divided)});
 }
 
 ClaimChange::Result LinearKind::settle(const ClaimChange& change) const {

@@ -46,9 +46,8 @@ class LinearKind : public KindBase {
   }
   /// The claims in `given`, then those in `claims`.
   static References sources(const ClaimBody& claim);
-  static std::string conjunction_text(ClaimWriter& writer, const Equations& equations);
   /// The hypotheses: `others` and the equations of the claims and of `assume`.
-  static MotionText hypotheses(ClaimWriter& writer, const Equations& others);
+  static StatedMotion hypotheses(ClaimWriter& writer, const Equations& others);
   /// States that no equation divides by 0, for any numbers in place of the unknowns, and that the region has a value.
   /// Gives up if an equation is not linear.
   static void have_values(ClaimWriter& writer, const Equations& equations);

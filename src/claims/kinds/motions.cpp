@@ -1,6 +1,5 @@
 // At each of the forces there is one motion in each of the modes, and no other motion.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "claims/kinds/kind_base.hpp"
 
@@ -40,19 +39,19 @@ class MotionsKind : public KindBase {
     const ClaimBody& claim = writer.body();
     const Assumptions assumptions = {{"region", claim.region}, {"force", claim.forces}};
     const bool strict = writer.setting().strict;
-    std::vector<std::string> modes;
+    std::vector<Expression> modes;
     for (std::size_t i = 0; i < claim.modes.size(); ++i) {
       const MechanismMode& mode = claim.modes[i];
-      const MotionText motion = writer.motion(mode);
+      const StatedMotion motion = writer.motion(mode);
       writer.exists({fmt::format(".{}", i + 1), assumptions, {}, true, {}, true}, motion);
       writer.one_motion(fmt::format(".{}.one", i + 1), assumptions, motion, motion);
-      modes.push_back("{" + writer.mechanics().mode_text(mode) + "}");
+      modes.push_back(braced(writer.mechanics().in_mode(mode)));
     }
     if (writer.mechanics().may_leave_forces_open() && !claim.modes.empty()) {
       writer.same_as_one_of(".complete", assumptions, claim.modes, strict);
     } else {
-      writer.implied({".complete", assumptions, writer.any_motion(strict)}, fmt::format("{}", fmt::join(modes, " or ")),
-                     {});
+      writer.implied({".complete", assumptions, writer.any_motion(strict)},
+                     modes.empty() ? make_truth(false) : disjoined(modes), {});
     }
     writer.have_values(".defined", claim.region, claim.forces);
   }
@@ -63,15 +62,13 @@ class MotionsKind : public KindBase {
   void refute(ClaimWriter& writer) const override {
     const ClaimBody& claim = writer.body();
     const bool strict = writer.setting().strict;
-    std::string in_none;
+    std::vector<Expression> in_none;
     if (!strict || writer.mechanics().may_leave_forces_open()) {
-      for (const MechanismMode& mode : claim.modes) {
-        in_none += fmt::format(" and {{{}}}", writer.mechanics().mode_missed_text(mode));
-      }
+      for (const MechanismMode& mode : claim.modes) in_none.push_back(braced(writer.mechanics().mode_missed(mode)));
     }
     std::vector<ClaimWriter::ModeAndMore> others;
     for (const MechanismMode& mode : writer.mechanics().modes()) {
-      if (!names(claim.modes, mode)) others.emplace_back(mode, in_none);
+      if (!names(claim.modes, mode)) others.emplace_back(mode, conjoined(in_none));
     }
     if (others.empty()) writer.give_up();
     writer.somewhere(refuted_suffix, {claim.region, claim.forces}, {writer.one_of(others, strict)});

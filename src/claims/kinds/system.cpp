@@ -22,17 +22,17 @@ class SystemKind : public LinearKind {
     const ClaimBody& claim = writer.body();
     const Equations right = equations_of(writer, claim.given, claim.equations);
     Equations left = equations_of(writer, sources(claim), claim.assume);
-    const MotionText motion = hypotheses(writer, left);
+    const StatedMotion motion = hypotheses(writer, left);
     std::vector<Expression> uses = left;
     uses.insert(uses.end(), right.begin(), right.end());
     const Assumptions region = {{"region", claim.region}};
-    writer.implied({".forwards", region, motion, false}, conjunction_text(writer, claim.equations), uses);
+    writer.implied({".forwards", region, motion, false}, writer.formula_of_all(claim.equations), uses);
     std::vector<std::string> others;
     for (const auto& unknown : writer.mechanics().unknowns()) {
       if (!occurs(unknown, right)) others.emplace_back(unknown);
     }
     if (others.empty()) {
-      writer.implied({".backwards", region, MotionText{motion.definitions, conjunction_text(writer, right)}, false},
+      writer.implied({".backwards", region, StatedMotion{motion.definitions, writer.formula_of_all(right)}, false},
                      motion.formula, uses);
     } else {
       writer.exists({".backwards", {{"region", claim.region}, {"equations", all_of(right)}}, {}, false}, others, motion,

@@ -1,7 +1,6 @@
 #include "claims/kinds/unique_statements.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "claims/kinds/kind_base.hpp"
 
@@ -71,16 +70,16 @@ class UniqueWriter {
     ClaimWriter::Assumptions assumptions = common_;
     assumptions.emplace_back("stated", make(Operation::logical_and, {other(index).region, forces(index)}));
     const MechanismMode mode = other(index).modes.front();
-    const MotionText its = writer_.motion(mode, false);
-    write_no_other("." + id(index), assumptions, its, writer_.mechanics().mode_text(mode));
+    const StatedMotion its = writer_.motion(mode, false);
+    write_no_other("." + id(index), assumptions, its, writer_.mechanics().in_mode(mode));
     writer_.one_motion("." + id(index) + ".one", assumptions, its, its, hints_);
     writer_.exists({"." + id(index) + ".exists", assumptions, {}, true, hints_}, its);
   }
 
   /// Writes that every motion is in one of the modes in question. If forces may be undetermined, a motion in one of
   /// them need only have its accelerations: the forces of a motion in another mode may not fit.
-  void write_no_other(const std::string& suffix, const ClaimWriter::Assumptions& assumptions, const MotionText& listed,
-                      const std::string& shown) {
+  void write_no_other(const std::string& suffix, const ClaimWriter::Assumptions& assumptions,
+                      const StatedMotion& listed, const Expression& shown) {
     if (writer_.mechanics().may_leave_forces_open()) {
       writer_.one_motion(suffix, assumptions, motion_, listed, hints_);
     } else {
@@ -100,13 +99,13 @@ class UniqueWriter {
     for (std::size_t i = 0; i < cells.size(); ++i) {
       ClaimWriter::Assumptions here = rest;
       here.emplace(here.begin(), "cell", cells[i]);
-      const MotionText right{motion_.definitions, writer_.mechanics().dynamics() + " and {" + listed() + "}"};
+      const StatedMotion right{motion_.definitions, conjoined({writer_.mechanics().dynamics(), braced(listed())})};
       write_no_other(fmt::format(".rest.{}", i + 1), here, right, shown());
       writer_.exists({fmt::format(".rest.exists.{}", i + 1), here, {}, true, hints_}, right);
       any_cell = any_cell ? make(Operation::logical_or, {any_cell, cells[i]}) : cells[i];
     }
     writer_.implied({".rest.cells", {}, {}}, any_cell);
-    std::vector<MotionText> motions;  // of 160 modes there are 12,880 pairs
+    std::vector<StatedMotion> motions;  // of 160 modes there are 12,880 pairs
     for (const MechanismMode& mode : claim_.modes) motions.push_back(writer_.motion(mode, false));
     for (std::size_t i = 0; i < motions.size(); ++i) {
       for (std::size_t k = i; k < motions.size(); ++k) {
@@ -126,15 +125,13 @@ class UniqueWriter {
     }
   }
 
-  std::string listed() const {
-    std::vector<std::string> texts;
-    for (const MechanismMode& mode : claim_.modes) {
-      texts.push_back("{" + writer_.mechanics().mode_text(mode) + "}");
-    }
-    return texts.empty() ? "false" : fmt::format("{}", fmt::join(texts, " or "));
+  Expression listed() const {
+    std::vector<Expression> modes;
+    for (const MechanismMode& mode : claim_.modes) modes.push_back(braced(writer_.mechanics().in_mode(mode)));
+    return modes.empty() ? make_truth(false) : disjoined(modes);
   }
   /// The formula to show. If all states of the other elements are listed, as in */lift, it is about one element only.
-  std::string shown() const {
+  Expression shown() const {
     const MechanicsWriter& mechanics = writer_.mechanics();
     for (std::size_t element = 0; element < mechanics.elements() && !claim_.modes.empty(); ++element) {
       const ElementState state = claim_.modes.front()[element];
@@ -150,8 +147,8 @@ class UniqueWriter {
 
   ClaimWriter& writer_;
   const ClaimBody& claim_;
-  const MotionText motion_ = writer_.any_motion(false);
-  const std::string hints_ = writer_.hints_to_numbers();
+  const StatedMotion motion_ = writer_.any_motion(false);
+  const std::vector<Expression> hints_ = writer_.hints_to_numbers();
   ClaimWriter::Assumptions common_;
 };
 
@@ -192,14 +189,14 @@ void unique_refutation(ClaimWriter& writer) {
   for (const std::size_t index : claim.claims) near_none = conjunction(near_none, beyond(index));
   // The motion is in none of `right`. If its own mode is another one this is plain, unless forces are undetermined.
   const auto in_none = [&](const Expression& where, const Modes& right) {
-    std::string text = "{" + writer.text(where) + "}";
-    for (const MechanismMode& mode : right) text += " and {" + writer.mechanics().mode_missed_text(mode) + "}";
-    return "{" + text + "}";
+    std::vector<Expression> parts = {braced(writer.formula(where))};
+    for (const MechanismMode& mode : right) parts.push_back(braced(writer.mechanics().mode_missed(mode)));
+    return braced(conjoined(parts));
   };
   std::vector<ClaimWriter::ModeAndMore> wrong;
   for (const MechanismMode& mode : writer.mechanics().modes()) {
     Expression where = names(claim.modes, mode) ? nullptr : near_none;
-    std::vector<std::string> parts;
+    std::vector<Expression> parts;
     if (where) parts.push_back(in_none(near_none, claim.modes));
     for (const std::size_t index : claim.claims) {
       const Modes& right = writer.body(index).modes;
@@ -210,10 +207,10 @@ void unique_refutation(ClaimWriter& writer) {
     }
     if (!where) continue;
     uses.push_back(where);
-    const std::string text = writer.mechanics().may_leave_forces_open() ? fmt::format("{}", fmt::join(parts, " or "))
-                             : is_true(where)                           ? ""
-                                                                        : writer.text(where);
-    wrong.emplace_back(mode, text.empty() ? "" : " and {" + text + "}");
+    const Expression more = writer.mechanics().may_leave_forces_open() ? disjoined(parts)
+                            : is_true(where)                           ? nullptr
+                                                                       : writer.formula(where);
+    wrong.emplace_back(mode, more ? braced(more) : nullptr);
   }
   if (wrong.empty()) writer.give_up();
   References named = claim.claims;  // if one of these has no value, even at another force, nothing is claimed

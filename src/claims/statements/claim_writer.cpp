@@ -1,44 +1,20 @@
 #include "claims/statements/claim_writer.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <sstream>
 
 #include "base/expression/logic.hpp"
-#include "claims/statements/truth_text.hpp"
+#include "claims/statements/formulas.hpp"
 #include "proofs/statement/zero_divisors.hpp"
 
 namespace slipproof {
+
 namespace {
 
-/// The text with some of its words replaced.
-std::string with_names(const std::string& text, const std::map<std::string, std::string, std::less<>>& names) {
-  std::string result;
-  for (std::size_t i = 0; i < text.size();) {
-    std::size_t end = i;
-    while (end < text.size() && MadeUpNames::is_in_word(text[end])) ++end;
-    const std::string word = text.substr(i, std::max<std::size_t>(end - i, 1));
-    const auto found = names.find(word);
-    result += found == names.end() ? word : found->second;
-    i += word.size();
-  }
-  return result;
-}
-
-/// A line `real` or `exists` has a space before each name.
-bool has_too_many_variables(const NamedStatement& statement) {
-  std::size_t variables = 0;
-  std::string line;
-  for (std::istringstream lines(statement.text); std::getline(lines, line);) {
-    const bool declares = line.starts_with("real ") || line.starts_with("exists ");
-    if (declares) variables += static_cast<std::size_t>(std::ranges::count(line, ' '));
-  }
-  return variables > max_statement_variables;
-}
+constexpr auto real = Directive::Kind::real;
 
 }  // namespace
 
@@ -51,35 +27,40 @@ ClaimWriter::ClaimWriter(const ClaimsFile& claims, const Claim& claim, Reading r
   if (!has_interval_of_forces()) give_up();
 }
 
-std::string ClaimWriter::opening(const std::string& suffix) {
-  return header(name_ + suffix, fmt::format("{} of {}, {} reading", claim_.id, claims_.paper.source, name(reading())));
+WrittenStatement ClaimWriter::opened(const std::string& suffix) {
+  return begun(name_ + suffix, fmt::format("{} of {}, {} reading", claim_.id, claims_.paper.source, name(reading())));
 }
 
-std::string ClaimWriter::assumed(const Assumptions& assumptions, std::vector<Expression>& uses) {
-  std::string result;
-  for (const auto& [label, truth] : assumptions) {
+void ClaimWriter::close(const std::string& suffix, WrittenStatement statement, const Expression& shown, bool refutes) {
+  statement.show(shown);
+  drafts_.push_back({suffix, std::move(statement), refutes});
+}
+
+void ClaimWriter::add_assumptions(WrittenStatement& to, const Implication& implication, std::vector<Expression> uses) {
+  for (const auto& [label, truth] : implication.assumptions) {
     if (!is_true(truth)) uses.push_back(truth);
-    result += assumption(label, truth);
   }
-  return result;
+  assume(to, "domain", domain(implication.force_domain));
+  add_scene(to, uses);
+  for (const auto& [label, truth] : implication.assumptions) assume_truth(to, label, truth);
+  to.add_hints(implication.hints);
 }
 
 void ClaimWriter::implied(const Implication& implication, const Expression& shown) {
-  implied(implication, text(shown), {shown});
+  implied(implication, formula(shown), {shown});
 }
 
-void ClaimWriter::implied(const Implication& implication, const std::string& shown,
+void ClaimWriter::implied(const Implication& implication, const Expression& formula,
                           const std::vector<Expression>& uses) {
-  std::string result = opening(implication.suffix);
-  std::vector<Expression> all = uses;
-  const std::string assumptions = assumed(implication.assumptions, all);
-  result += variables() + assumption("domain", domain(implication.force_domain)) + scene(all) + assumptions;
+  WrittenStatement statement = opened(implication.suffix);
+  statement.declare(real, parameter_names());
+  add_assumptions(statement, implication, uses);
   if (implication.motion) {
-    result += fmt::format("{}real {}\n{}", implication.hints, fmt::join(mechanics().unknowns(), " "),
-                          implication.motion->definitions) +
-              assumption("motion", implication.motion->formula);
+    statement.declare(real, mechanics().unknowns());
+    statement.add(implication.motion->definitions);
+    assume(statement, "motion", implication.motion->formula);
   }
-  statements_.push_back({name_ + implication.suffix, result + fmt::format("show {}\n", shown), implication.refutes});
+  close(implication.suffix, std::move(statement), formula, implication.refutes);
 }
 
 void ClaimWriter::implied_of_each(const Modes& modes, const Expression& forces, const Expression& shown) {
@@ -93,54 +74,51 @@ void ClaimWriter::implied_of_each(const Modes& modes, const Expression& forces, 
   have_values(".defined", body_.region, forces);
 }
 
-MotionText ClaimWriter::one_of(const std::vector<ModeAndMore>& modes, bool strict) const {
-  std::vector<std::string> parts;
-  for (const auto& [mode, more] : modes) parts.push_back("{" + mechanics().mode_text(mode) + more + "}");
-  return {mechanics().equations() + mechanics().all_state_definitions(strict),
-          fmt::format("{} and {{{}}}", mechanics().dynamics(), fmt::join(parts, " or "))};
+StatedMotion ClaimWriter::one_of(const std::vector<ModeAndMore>& modes, bool strict) const {
+  std::vector<Expression> parts;
+  for (const auto& [mode, more] : modes) parts.push_back(braced(conjoined({mechanics().in_mode(mode), more})));
+  return {mechanics().all_definitions(strict), conjoined({mechanics().dynamics(), braced(disjoined(parts))})};
 }
 
 std::vector<ClaimWriter::ModeAndMore> ClaimWriter::modelled(const Modes& modes) {
   std::vector<ModeAndMore> result;
   for (const MechanismMode& mode : modes) {
-    if (mechanics().is_modelled(mode)) result.emplace_back(mode, "");
+    if (mechanics().is_modelled(mode)) result.emplace_back(mode, nullptr);
   }
   if (result.empty()) give_up();
   return result;
 }
 
 void ClaimWriter::exists(const Implication& implication, const std::vector<std::string>& unknowns,
-                         const MotionText& shown, const std::vector<Expression>& uses) {
-  std::string result = opening(implication.suffix);
-  std::vector<Expression> all = uses;
-  const std::string assumptions = assumed(implication.assumptions, all);
-  std::vector<std::string> known;  // unknowns of the motion that are given
-  for (const auto& unknown : mechanics().unknowns()) {
-    if (std::find(unknowns.begin(), unknowns.end(), unknown) == unknowns.end()) known.emplace_back(unknown);
-  }
-  result += variables();
-  if (!known.empty()) result += fmt::format("real {}\n", fmt::join(known, " "));
-  result += assumption("domain", domain(implication.force_domain)) + scene(all) + assumptions + implication.hints;
-  result += fmt::format("exists {}\n{}show {}\n", fmt::join(unknowns, " "), shown.definitions, shown.formula);
-  statements_.push_back({name_ + implication.suffix, std::move(result), implication.refutes});
+                         const StatedMotion& shown, const std::vector<Expression>& uses) {
+  WrittenStatement statement = opened(implication.suffix);
+  statement.declare(real, parameter_names());
+  std::vector<std::string> known = mechanics().unknowns();  // unknowns of the motion that are given
+  std::erase_if(known, [&](const std::string& name) { return std::ranges::find(unknowns, name) != unknowns.end(); });
+  statement.declare(real, std::move(known));
+  add_assumptions(statement, implication, uses);
+  statement.declare(Directive::Kind::exists, unknowns);
+  statement.add(shown.definitions);
+  close(implication.suffix, std::move(statement), shown.formula, implication.refutes);
 }
 
-void ClaimWriter::exists(const Implication& implication, const MotionText& motion) {
+void ClaimWriter::exists(const Implication& implication, const StatedMotion& motion) {
   exists(implication, mechanics().unknowns(), motion);
 }
 
 void ClaimWriter::together(const std::string& suffix, const Assumptions& assumptions,
-                           const std::vector<MotionText>& motions, const std::string& hints, const std::string& shown) {
-  std::string result = opening(suffix);
-  std::vector<Expression> uses;
-  const std::string assumption_lines = assumed(assumptions, uses);
-  result += variables() + assumption("domain", domain(true)) + scene(uses) + assumption_lines + hints;
+                           const std::vector<StatedMotion>& motions, const std::vector<Expression>& hints,
+                           const Expression& shown) {
+  WrittenStatement statement = opened(suffix);
+  statement.declare(real, parameter_names());
+  add_assumptions(statement, {suffix, assumptions, {}, true, hints}, {});
   for (std::size_t i = 1; i <= motions.size(); ++i) {
-    const MotionText motion = numbered(motions[i - 1], i);
-    result += fmt::format("real {}\n{}", fmt::join(unknowns(i), " "), motion.definitions) +
-              assumption("motion" + made_up().ending(i), motion.formula);
+    const StatedMotion motion = numbered(motions[i - 1], i);
+    statement.declare(real, unknowns(i));
+    statement.add(motion.definitions);
+    assume(statement, "motion" + made_up().ending(i), motion.formula);
   }
-  statements_.push_back({name_ + suffix, result + fmt::format("show {}\n", shown)});
+  close(suffix, std::move(statement), shown);
 }
 
 std::vector<std::string> ClaimWriter::unknowns(std::size_t motion) const {
@@ -150,47 +128,51 @@ std::vector<std::string> ClaimWriter::unknowns(std::size_t motion) const {
   return result;
 }
 
-MotionText ClaimWriter::numbered(const MotionText& motion, std::size_t number) {
+StatedMotion ClaimWriter::numbered(StatedMotion motion, std::size_t number) {
   if (number == 1) return motion;
-  std::map<std::string, std::string, std::less<>> names;
-  const std::vector<std::string>& first = mechanics().unknowns();
+  std::map<std::string, std::string> names;
   const std::vector<std::string> here = unknowns(number);
-  for (std::size_t i = 0; i < first.size(); ++i) names.emplace(first[i], here[i]);
-  std::string line;
-  for (std::istringstream lines(motion.definitions); std::getline(lines, line);) {
-    const std::size_t begin = line.find(' ') + 1;
-    const std::string name = line.substr(begin, line.find_first_of(" :", begin) - begin);
-    names.emplace(name, made_up().take(name + made_up().ending(number)));
+  for (std::size_t i = 0; i < here.size(); ++i) names.emplace(mechanics().unknowns()[i], here[i]);
+  for (Directive& line : motion.definitions) {
+    std::string& name = line.names.front();
+    name = names.emplace(name, made_up().take(name + made_up().ending(number))).first->second;
   }
-  return {with_names(motion.definitions, names), with_names(motion.formula, names)};
+  const auto renamed = [&](const std::string& symbol) {
+    const auto found = names.find(symbol);
+    return found == names.end() ? nullptr : make_symbol(found->second);
+  };
+  for (Directive& line : motion.definitions) line.body = substitute(line.body, renamed);
+  motion.formula = substitute(motion.formula, renamed);
+  return motion;
 }
 
-void ClaimWriter::one_motion(const std::string& suffix, const Assumptions& assumptions, const MotionText& x,
-                             const MotionText& y, const std::string& hints) {
+void ClaimWriter::one_motion(const std::string& suffix, const Assumptions& assumptions, const StatedMotion& x,
+                             const StatedMotion& y, const std::vector<Expression>& hints) {
   together(suffix, assumptions, {x, y}, hints, same_accelerations(2));
 }
 
-std::string ClaimWriter::same_accelerations(std::size_t other) const {
+Expression ClaimWriter::same_accelerations(std::size_t other) const {
   const std::string ending = mechanics().names().ending(other);
-  std::vector<std::string> same;
-  for (const auto& unknown : mechanics().accelerations()) same.push_back(fmt::format("{0} = {0}{1}", unknown, ending));
-  return fmt::format("{}", fmt::join(same, " and "));
+  std::vector<Expression> same;
+  for (const std::string& unknown : mechanics().accelerations())
+    same.push_back(make_comparison({make_symbol(unknown), make_symbol(unknown + ending)}, {Relation::equal}));
+  return conjoined(same);
 }
 
 void ClaimWriter::same_as_one_of(const std::string& suffix, const Assumptions& assumptions,
                                  const std::vector<MechanismMode>& modes, bool strict) {
-  std::vector<MotionText> motions = {any_motion(strict)};
-  std::vector<std::string> same;
+  std::vector<StatedMotion> motions = {any_motion(strict)};
+  std::vector<Expression> same;
   for (const MechanismMode& mode : modes) {
     motions.push_back(motion(mode, strict));
-    same.push_back("{" + same_accelerations(motions.size()) + "}");
+    same.push_back(braced(same_accelerations(motions.size())));
   }
-  together(suffix, assumptions, motions, "", fmt::format("{}", fmt::join(same, " or ")));
+  together(suffix, assumptions, motions, {}, disjoined(same));
 }
 
 void ClaimWriter::impossible_together(const std::string& suffix, const Assumptions& assumptions,
-                                      const std::vector<MotionText>& motions) {
-  together(suffix, assumptions, motions, "", "false");
+                                      const std::vector<StatedMotion>& motions) {
+  together(suffix, assumptions, motions, {}, make_truth(false));
 }
 
 void ClaimWriter::has_value(const std::string& suffix, const Assumptions& assumptions, const Expression& truth) {
@@ -214,14 +196,15 @@ void ClaimWriter::have_values(const std::string& suffix, const Expression& regio
 void ClaimWriter::goes_beyond(const std::string& suffix, const std::string& parameter, const Expression& from) {
   if (!is_bounded(parameter)) return;
   const std::string greater = parameter + "'";
-  std::vector<Expression> uses = {body_.region, from};
-  std::string result = opening(suffix) + variables() + assumption("domain", domain(false));
-  result += definitions(uses) + assumption("region", body_.region);
-  const auto bound = number_text(from, [this](const Expression& e) { return always_defined(e); });
-  if (!bound) give_up();
-  result += fmt::format("exists {}\nshow {} and {} > {}\n", greater, domain(false, parameter, greater), greater,
-                        bound.value_or("0"));
-  statements_.push_back({name_ + suffix, std::move(result)});
+  WrittenStatement statement = opened(suffix);
+  add_parameters(statement, false);
+  add_definitions(statement, {body_.region, from});
+  assume_truth(statement, "region", body_.region);
+  const Expression bound = number(from);
+  if (!bound) return give_up();
+  statement.declare(Directive::Kind::exists, {greater});
+  const Expression is_greater = make_comparison({make_symbol(greater), bound}, {Relation::greater});
+  close(suffix, std::move(statement), conjoined({domain(false, parameter, greater), is_greater}));
 }
 
 std::vector<Expression> ClaimWriter::cells(const std::vector<Expression>& regions) const {
@@ -247,10 +230,9 @@ std::vector<Expression> ClaimWriter::cells(const std::vector<Expression>& region
   return result;
 }
 
-/// Nothing if statements cannot express the value.
-std::string ClaimWriter::hint(const Boundary& boundary) const {
-  const auto value = number_text(inlined(boundary.value), [this](const Expression& e) { return always_defined(e); });
-  return value ? fmt::format("# split: {} - ({})\n", boundary.symbol, *value) : std::string();
+Expression ClaimWriter::hint(const Boundary& boundary) const {
+  const Expression value = number(inlined(boundary.value));
+  return value ? make(Operation::subtract, {make_symbol(boundary.symbol), bracketed(value)}) : nullptr;
 }
 
 Expression ClaimWriter::in_one_of(const References& others, bool stated) const {
@@ -263,45 +245,49 @@ Expression ClaimWriter::in_one_of(const References& others, bool stated) const {
   return result;
 }
 
-std::string ClaimWriter::hints_to_numbers() const {
-  std::string result;
+std::vector<Expression> ClaimWriter::hints_to_numbers() const {
+  std::vector<Expression> result;
   for (const Boundary& boundary : setting().boundaries) {
-    if (!symbols(boundary.value).empty()) continue;
-    result += hint(boundary);
+    if (symbols(boundary.value).empty()) result.push_back(hint(boundary));
   }
   return result;
 }
 
 void ClaimWriter::somewhere(const std::string& suffix, const std::vector<Expression>& truths,
-                            const std::vector<MotionText>& motions, const std::vector<Expression>& more_uses) {
-  std::string result = opening(suffix);
-  std::string shown = domain(true);
-  std::vector<Expression> uses = more_uses;
+                            const std::vector<StatedMotion>& motions, const std::vector<Expression>& more_uses) {
+  WrittenStatement statement = opened(suffix);
+  std::vector<Expression> uses = more_uses, shown = {domain(true)}, hints;
   for (const Expression& truth : truths) {
     if (is_true(truth)) continue;
     uses.push_back(truth);
-    shown += fmt::format(" and {{{}}}", text(truth));
+    shown.push_back(braced(formula(truth)));
   }
-  result += "exists " + parameters();
-  std::string definitions;
+  std::vector<std::string> all_unknowns = parameter_names();
+  std::vector<Directive> definitions;
   for (std::size_t i = 1; i <= motions.size(); ++i) {
-    result += fmt::format(" {}", fmt::join(unknowns(i), " "));
-    const MotionText motion = numbered(motions[i - 1], i);
-    definitions += motion.definitions;
-    shown += " and " + motion.formula;
+    for (std::string& unknown : unknowns(i)) all_unknowns.push_back(std::move(unknown));
+    const StatedMotion motion = numbered(motions[i - 1], i);
+    definitions.insert(definitions.end(), motion.definitions.begin(), motion.definitions.end());
+    shown.push_back(motion.formula);
   }
-  std::string hints;  // the boundaries, where bicycles are special
-  for (const Boundary& boundary : setting().boundaries) {
+  for (const Boundary& boundary : setting().boundaries) {  // where bicycles are special
     uses.push_back(boundary.value);
-    hints += hint(boundary);
+    hints.push_back(hint(boundary));
   }
-  statements_.push_back({name_ + suffix, result + '\n' + scene(uses) + hints + definitions + "show " + shown + '\n'});
+  statement.declare(Directive::Kind::exists, std::move(all_unknowns));
+  add_scene(statement, uses);
+  statement.add_hints(hints);
+  statement.add(definitions);
+  close(suffix, std::move(statement), conjoined(shown));
 }
 
 std::vector<NamedStatement> ClaimWriter::take() {
-  if (!complete() || std::ranges::any_of(statements_, has_too_many_variables)) return {};
-  for (NamedStatement& statement : statements_) statement.text = without_zero_divisors(std::move(statement.text));
-  return std::move(statements_);
+  const auto too_large = [](const Draft& draft) { return draft.statement.variables() > max_statement_variables; };
+  if (!complete() || std::ranges::any_of(drafts_, too_large)) return {};
+  std::vector<NamedStatement> result;
+  for (const Draft& draft : drafts_)
+    result.push_back({name_ + draft.suffix, without_zero_divisors(draft.statement.text()), draft.refutes});
+  return result;
 }
 
 }  // namespace slipproof

@@ -26,32 +26,33 @@ class ClaimWriter : public SettingWriter {
   struct Implication {
     std::string suffix;
     Assumptions assumptions;
-    std::optional<MotionText> motion = {};
-    bool force_domain = true;  ///< whether the force is restricted to the paper's domain
-    std::string hints = {};    ///< lines after the assumptions
-    bool refutes = false;      ///< see NamedStatement
+    std::optional<StatedMotion> motion = {};
+    bool force_domain = true;            ///< whether the force is restricted to the paper's domain
+    std::vector<Expression> hints = {};  ///< where to split cases
+    bool refutes = false;                ///< see NamedStatement
   };
   void implied(const Implication& implication, const Expression& shown);
-  void implied(const Implication& implication, const std::string& shown, const std::vector<Expression>& uses);
+  /// The same for a formula, and the expressions whose definitions it uses.
+  void implied(const Implication& implication, const Expression& formula, const std::vector<Expression>& uses);
   /// Writes ID, or ID.1, ID.2, ... if there are several modes: `shown` is true for all motions in each of the modes at
   /// the forces; without modes, at all the forces. Also writes that region and forces have values.
   void implied_of_each(const Modes& modes, const Expression& forces, const Expression& shown);
   /// For all parameters with `assumptions` and all values of the other unknowns, there are some `unknowns` with
   /// `shown`.
-  void exists(const Implication& implication, const std::vector<std::string>& unknowns, const MotionText& shown,
+  void exists(const Implication& implication, const std::vector<std::string>& unknowns, const StatedMotion& shown,
               const std::vector<Expression>& uses = {});
   /// The same for all unknowns of a motion.
-  void exists(const Implication& implication, const MotionText& motion);
+  void exists(const Implication& implication, const StatedMotion& motion);
   /// For all parameters with `assumptions`, two such motions have the same accelerations.
-  void one_motion(const std::string& suffix, const Assumptions& assumptions, const MotionText& x, const MotionText& y,
-                  const std::string& hints = {});
+  void one_motion(const std::string& suffix, const Assumptions& assumptions, const StatedMotion& x,
+                  const StatedMotion& y, const std::vector<Expression>& hints = {});
   /// If there is a motion in each of the modes, any motion has the accelerations of one of them. It is then in that
   /// mode, perhaps with other forces than its own. Counts boundary motions if not strict.
   void same_as_one_of(const std::string& suffix, const Assumptions& assumptions,
                       const std::vector<MechanismMode>& modes, bool strict);
   /// No parameters with `assumptions` have all of `motions` at once.
   void impossible_together(const std::string& suffix, const Assumptions& assumptions,
-                           const std::vector<MotionText>& motions);
+                           const std::vector<StatedMotion>& motions);
   /// States that a condition assumed by the claim has a value under `assumptions`, also where no force is in the
   /// domain, or only at each force of the domain; writes nothing if that is plain.
   void has_value(const std::string& suffix, const Assumptions& assumptions, const Expression& truth);
@@ -67,42 +68,51 @@ class ClaimWriter : public SettingWriter {
   /// In the region of one of the claims; with `stated`, also at one of the forces that it states.
   Expression in_one_of(const References& others, bool stated) const;
   /// Hints to split at the boundaries that are numbers.
-  std::string hints_to_numbers() const;
-  /// A mode, and a further condition as text; empty: none.
-  using ModeAndMore = std::pair<MechanismMode, std::string>;
+  std::vector<Expression> hints_to_numbers() const;
+  /// A mode, and a further formula; null: none.
+  using ModeAndMore = std::pair<MechanismMode, Expression>;
   /// A motion in one of `modes` that meets the mode's further condition.
-  MotionText one_of(const std::vector<ModeAndMore>& modes, bool strict) const;
+  StatedMotion one_of(const std::vector<ModeAndMore>& modes, bool strict) const;
   /// The modes that are modelled. Gives up if there are none.
   std::vector<ModeAndMore> modelled(const Modes& modes);
   /// There are parameters, a force and a motion with all of `truths`.
   void somewhere(const std::string& suffix, const std::vector<Expression>& truths,
-                 const std::vector<MotionText>& motions, const std::vector<Expression>& more_uses = {});
+                 const std::vector<StatedMotion>& motions, const std::vector<Expression>& more_uses = {});
 
   /// The statements; empty if something could not be expressed.
   std::vector<NamedStatement> take();
 
  private:
+  struct Draft {
+    std::string suffix;
+    WrittenStatement statement;
+    bool refutes = false;
+  };
+
   void has_value(const Implication& implication, const Expression& truth);
   /// The condition that the first motion has the accelerations of another one; motions count from 1.
-  std::string same_accelerations(std::size_t other) const;
+  Expression same_accelerations(std::size_t other) const;
   /// All of `motions` at once; from the second on, each has its own names.
-  void together(const std::string& suffix, const Assumptions& assumptions, const std::vector<MotionText>& motions,
-                const std::string& hints, const std::string& shown);
+  void together(const std::string& suffix, const Assumptions& assumptions, const std::vector<StatedMotion>& motions,
+                const std::vector<Expression>& hints, const Expression& shown);
   /// The unknowns of a motion by its number from 1.
   std::vector<std::string> unknowns(std::size_t motion) const;
-  /// The text for a further motion: its unknowns, and everything that is defined from them, have names of their own.
-  MotionText numbered(const MotionText& motion, std::size_t number);
-  std::string opening(const std::string& suffix);
-  /// A line that proposes to split where the parameter has the boundary's value.
-  std::string hint(const Boundary& boundary) const;
-  /// The lines of the assumptions; adds what they use to `uses`.
-  std::string assumed(const Assumptions& assumptions, std::vector<Expression>& uses);
+  /// The same of a further motion: its unknowns, and everything that is defined from them, have names of their own.
+  StatedMotion numbered(StatedMotion motion, std::size_t number);
+  /// Begins a statement.
+  WrittenStatement opened(const std::string& suffix);
+  /// Ends it.
+  void close(const std::string& suffix, WrittenStatement statement, const Expression& shown, bool refutes = false);
+  /// Adds the scene with what the assumptions and `uses` need, the assumptions, and hints.
+  void add_assumptions(WrittenStatement& to, const Implication& implication, std::vector<Expression> uses);
+  /// A proposal to split where the parameter has the boundary's value; null if statements cannot express the value.
+  Expression hint(const Boundary& boundary) const;
 
   const ClaimsFile& claims_;
   const Claim& claim_;
   const ClaimBody& body_;
   std::string name_;
-  std::vector<NamedStatement> statements_;
+  std::vector<Draft> drafts_;
 };
 
 /// The suffix of refutations.

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "claims/statements/claim_statements.hpp"
 #include "claims/statements/setting_writer.hpp"
@@ -17,33 +16,35 @@ class ImplicationWriter : SettingWriter {
     const bool moving = implication_.on_road || implication_.mode;
     std::vector<Expression> uses = implication_.given;
     uses.push_back(implication_.shown);
-    std::string result = header(implication_.name, setting().id);
-    result += variables() + assumption("domain", domain(implication_.force_domain));
+    WrittenStatement result = begun(implication_.name, setting().id);
+    add_parameters(result, implication_.force_domain);
     if (moving) {
-      const MotionText motion = implication_.mode ? this->motion(*implication_.mode) : equations(std::nullopt);
-      result += scene(uses) + fmt::format("real {}\n", fmt::join(mechanics().unknowns(), " ")) + motion.definitions +
-                assumption("motion", motion.formula);
+      const StatedMotion motion = implication_.mode ? this->motion(*implication_.mode) : equations(std::nullopt);
+      add_scene(result, uses);
+      result.declare(Directive::Kind::real, mechanics().unknowns());
+      result.add(motion.definitions);
+      assume(result, "motion", motion.formula);
     } else {
-      result += definitions(uses) + free_unknowns(uses);
+      add_definitions(result, uses);
+      result.declare(Directive::Kind::real, free_unknowns(uses));
     }
-    for (std::size_t i = 0; i < implication_.given.size(); ++i) {
-      result += assumption(fmt::format("given{}", i + 1), implication_.given[i]);
-    }
-    result += fmt::format("show {}\n", text(implication_.shown));
-    return complete() ? std::optional(without_zero_divisors(std::move(result))) : std::nullopt;
+    for (std::size_t i = 0; i < implication_.given.size(); ++i)
+      assume_truth(result, fmt::format("given{}", i + 1), implication_.given[i]);
+    result.show(formula(implication_.shown));
+    return complete() ? std::optional(without_zero_divisors(result.text())) : std::nullopt;
   }
 
  private:
-  /// The quantities and unknowns that occur, declared as any numbers. They replace symbols of the setting with the same
-  /// name.
-  std::string free_unknowns(const std::vector<Expression>& uses) const {
+  /// The quantities and unknowns that occur, to be declared as any numbers. They replace symbols of the setting with
+  /// the same name.
+  std::vector<std::string> free_unknowns(const std::vector<Expression>& uses) const {
     std::set<std::string> names;
     for (const Expression& use : uses) {
       for (const std::string& symbol : symbols(use)) names.insert(symbol);
     }
     for (const std::string& known : parameter_names()) names.erase(known);
     for (const Definition& known : setting().definitions) names.erase(known.symbol);
-    return names.empty() ? "" : fmt::format("real {}\n", fmt::join(names, " "));
+    return {names.begin(), names.end()};
   }
 
   const Implication& implication_;

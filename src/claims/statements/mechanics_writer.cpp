@@ -1,27 +1,32 @@
 #include "claims/statements/mechanics_writer.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 
-#include "claims/statements/determined_forces.hpp"
-#include "claims/statements/truth_text.hpp"
+#include "claims/plain/determined_forces.hpp"
+#include "claims/statements/formulas.hpp"
 
 namespace slipproof {
 
 namespace {
 
-/// Joins the texts of the items of a list by a word; leaves out empty texts.
-template <class Items, class Text>
-std::string joined(const Items& items, const char* word, const Text& text) {
-  std::string result;
-  for (const auto& item : items) {
-    const std::string part = text(item);
-    if (!part.empty()) result += (result.empty() ? "" : word) + part;
+constexpr auto let = Directive::Kind::let, define = Directive::Kind::define;
+
+Relation mirrored(Relation relation) {
+  switch (relation) {
+    case Relation::less:
+      return Relation::greater;
+    case Relation::less_equal:
+      return Relation::greater_equal;
+    case Relation::greater:
+      return Relation::less;
+    case Relation::greater_equal:
+      return Relation::less_equal;
+    default:
+      return relation;
   }
-  return result;
 }
 
 std::vector<std::string> unknowns_of(const Mechanism& mechanism) {
@@ -38,6 +43,15 @@ bool is_of_accelerations(StateCondition c) {
 }
 
 }  // namespace
+
+Expression WrittenForm::compared(Relation relation) const {
+  return make_comparison({alone(), bound()}, {negative_ ? mirrored(relation) : relation});
+}
+
+Expression WrittenForm::bound() const {
+  if (!unknown_ || !limit_) return make_number(0);
+  return limit_negative_ == negative_ ? make(Operation::negate, {limit_}) : limit_;
+}
 
 MechanicsWriter::MechanicsWriter(const Setting& setting, const SettingNames& names, const PlainSigns& signs)
     : setting_(setting),
@@ -68,46 +82,46 @@ void MechanicsWriter::name_symbols() {
   for (const MechanismLink& link : mechanism.links) name_equation(link.name);
 }
 
-std::string MechanicsWriter::number(const Expression& of_mechanism) const {
+Expression MechanicsWriter::number(const Expression& of_mechanism) const {
   const Expression renamed = substitute(of_mechanism, [&](const std::string& symbol) {
     const auto found = names_.find(symbol);
     return found == names_.end() ? nullptr : make_symbol(found->second);
   });
   const bool defined = signs_.defined(setting_.in_family(of_mechanism));
-  const auto text = number_text(renamed, [&](const Expression& e) { return defined || has_no_division(e); });
-  complete_ = complete_ && text;
-  return text.value_or("0");
+  const Expression result = written_number(renamed, [&](const Expression& e) { return defined || has_no_division(e); });
+  complete_ = complete_ && result;
+  return result ? result : make_number(0);
 }
 
-std::string MechanicsWriter::friction(const Expression& coefficient, const std::string& normal) const {
-  const std::string text = number(coefficient);
-  return coefficient->operation == Operation::symbol ? text + "*" + normal : "(" + text + ")*" + normal;
+Expression MechanicsWriter::friction(const Expression& coefficient, const std::string& normal) const {
+  const Expression factor = number(coefficient);
+  return tight_product(coefficient->operation == Operation::symbol ? factor : bracketed(factor), make_symbol(normal));
 }
 
 void MechanicsWriter::write_elements() {
   for (const MechanismContact& contact : setting_.mechanism->contacts) {
-    ElementText& text = elements_.emplace_back();
+    WrittenElement& element = elements_.emplace_back();
     const std::string& normal = unknowns_[contact.normal];
-    name_states(text, contact.name);
-    text.gap = TextForm(contact.gap_name);
-    text.normal = TextForm(normal);
+    name_states(element, contact.name);
+    element.gap = WrittenForm(contact.gap_name);
+    element.normal = WrittenForm(normal);
     if (contact.frictionless()) continue;
-    text.slip = TextForm(contact.slip_name);
-    text.tangent = TextForm(unknowns_[*contact.tangent]);
-    text.static_limit = TextForm::limit(friction(contact.static_friction.expression, normal));
-    text.kinetic_limit = TextForm::limit(friction(contact.kinetic_friction.expression, normal));
+    element.slip = WrittenForm(contact.slip_name);
+    element.tangent = WrittenForm(unknowns_[*contact.tangent]);
+    element.static_limit = WrittenForm::limit(friction(contact.static_friction.expression, normal));
+    element.kinetic_limit = WrittenForm::limit(friction(contact.kinetic_friction.expression, normal));
   }
   for (const MechanismFriction& friction : setting_.mechanism->friction) {
-    ElementText& text = elements_.emplace_back();
-    name_states(text, friction.name);
-    text.slip = TextForm(friction.slip_name);
-    text.tangent = TextForm(unknowns_[friction.force]);
-    text.static_limit = TextForm::limit("(" + number(friction.static_limit.expression) + ")");
-    text.kinetic_limit = TextForm::limit("(" + number(friction.kinetic_limit.expression) + ")");
+    WrittenElement& element = elements_.emplace_back();
+    name_states(element, friction.name);
+    element.slip = WrittenForm(friction.slip_name);
+    element.tangent = WrittenForm(unknowns_[friction.force]);
+    element.static_limit = WrittenForm::limit(bracketed(number(friction.static_limit.expression)));
+    element.kinetic_limit = WrittenForm::limit(bracketed(number(friction.kinetic_limit.expression)));
   }
 }
 
-void MechanicsWriter::name_states(ElementText& element, const std::string& name) {
+void MechanicsWriter::name_states(WrittenElement& element, const std::string& name) {
   constexpr std::array<const char*, element_state_count> verbs{
       "sticks",        "slips_forwards",        "slips_backwards",        "lifts",  "touches",
       "sticks_pulled", "slips_forwards_pulled", "slips_backwards_pulled", "is_free"};
@@ -119,65 +133,64 @@ std::vector<std::string> MechanicsWriter::accelerations() const {
   return {unknowns_.begin(), unknowns_.begin() + static_cast<std::ptrdiff_t>(setting_.mechanism->accelerations)};
 }
 
-std::string MechanicsWriter::scene() const {
-  std::string result;
-  const auto let = [&](const std::string& symbol) {
+std::vector<Directive> MechanicsWriter::scene() const {
+  std::vector<Directive> result;
+  const auto add = [&](const std::string& symbol) {
     const auto value = setting_.scene.find(symbol);
-    if (value == setting_.scene.end()) {
-      result += fmt::format("let {} = 0\n", names_.find(symbol)->second);
-    } else if (!is_symbol(value->second, symbol)) {
-      const auto text = number_text(value->second, [&](const Expression& e) { return signs_.defined(e); });
-      complete_ = complete_ && text;
-      result += fmt::format("let {} = {}\n", names_.find(symbol)->second, text.value_or("0"));
+    Expression number = make_number(0);
+    if (value != setting_.scene.end()) {
+      if (is_symbol(value->second, symbol)) return;
+      const Expression given = written_number(value->second, [&](const Expression& e) { return signs_.defined(e); });
+      complete_ = complete_ && given;
+      if (given) number = given;
     }
+    result.push_back({let, 0, {name(symbol)}, number});
   };
   const Mechanism& mechanism = *setting_.mechanism;
-  for (const MechanismParameter& parameter : mechanism.parameters) let(parameter.symbol);
+  for (const MechanismParameter& parameter : mechanism.parameters) add(parameter.symbol);
   for (const MechanismAngle& angle : mechanism.angles) {
-    let(angle.cosine);
-    let(angle.sine);
+    add(angle.cosine);
+    add(angle.sine);
   }
-  if (mechanism.load) let(mechanism.load->symbol);
-  for (const MechanismDefinition& definition : mechanism.definitions) {
-    result +=
-        fmt::format("let {} = {}\n", names_.find(definition.symbol)->second, number(definition.expression.expression));
-  }
+  if (mechanism.load) add(mechanism.load->symbol);
+  for (const MechanismDefinition& definition : mechanism.definitions)
+    result.push_back({let, 0, {name(definition.symbol)}, number(definition.expression.expression)});
   return result;
 }
 
-std::string MechanicsWriter::equations() const {
+std::vector<Directive> MechanicsWriter::equations() const {
   const Mechanism& mechanism = *setting_.mechanism;
-  std::string result;
+  std::vector<Directive> result;
+  const auto add_value = [&](const std::string& name, const PlacedExpression& value) {
+    result.push_back({let, 0, {name}, number(value.expression)});
+  };
   for (const MechanismContact& contact : mechanism.contacts) {
-    result += fmt::format("let {} = {}\n", contact.gap_name, number(contact.gap.expression));
-    if (contact.slip) result += fmt::format("let {} = {}\n", contact.slip_name, number(contact.slip.expression));
+    add_value(contact.gap_name, contact.gap);
+    if (contact.slip) add_value(contact.slip_name, contact.slip);
   }
-  for (const MechanismFriction& friction : mechanism.friction) {
-    result += fmt::format("let {} = {}\n", friction.slip_name, number(friction.slip.expression));
-  }
-  for (std::size_t i = 0; i < mechanism.equations.size(); ++i) {
-    const MechanismEquation& equation = mechanism.equations[i];
-    result += fmt::format("define {}: {} = {}\n", equation_names_[i], number(equation.left.expression),
-                          number(equation.whole_right()));
-  }
-  for (std::size_t i = 0; i < mechanism.links.size(); ++i) {
-    result += fmt::format("define {}: {} = 0\n", equation_names_[mechanism.equations.size() + i],
-                          number(mechanism.links[i].zero.expression));
-  }
+  for (const MechanismFriction& friction : mechanism.friction) add_value(friction.slip_name, friction.slip);
+  auto name = equation_names_.begin();
+  const auto add_equation = [&](const Expression& left, const Expression& right) {
+    result.push_back({define, 0, {*name++}, make_comparison({left, right}, {Relation::equal})});
+  };
+  for (const MechanismEquation& equation : mechanism.equations)
+    add_equation(number(equation.left.expression), number(equation.whole_right()));
+  for (const MechanismLink& link : mechanism.links) add_equation(number(link.zero.expression), make_number(0));
   return result;
 }
 
-std::string MechanicsWriter::dynamics() const {
-  return fmt::format("{}", fmt::join(equation_names_, " and "));
+Expression MechanicsWriter::dynamics() const {
+  std::vector<Expression> parts;
+  for (const std::string& name : equation_names_) parts.push_back(make_symbol(name));
+  return conjoined(parts);
 }
 
-std::string MechanicsWriter::on_contacts() const {
-  std::string result;
+Expression MechanicsWriter::on_contacts() const {
+  std::vector<Expression> parts;
   for (std::size_t i = 0; i < setting_.mechanism->contacts.size(); ++i) {
-    if (kinds_[i].start == ElementKind::Start::open) continue;
-    result += fmt::format("{}{} = 0", result.empty() ? "" : " and ", elements_[i].gap.text());
+    if (kinds_[i].start != ElementKind::Start::open) parts.push_back(elements_[i].gap.compared(Relation::equal));
   }
-  return result;
+  return conjoined(parts);
 }
 
 bool MechanicsWriter::may_leave_forces_open() const {
@@ -193,94 +206,100 @@ std::vector<MechanismMode> MechanicsWriter::modes() const {
   return modes_of(kinds_);
 }
 
-std::string MechanicsWriter::equations_of(std::size_t element, ElementState state, const char* is, const char* word,
-                                          bool of_accelerations) const {
-  return joined(slipproof::equations(kinds_[element], state), word, [&](StateEquation e) {
-    if (of_accelerations && !is_of_accelerations(e)) return std::string();
-    return form_of(elements_[element], state, e).compared(is, is);
-  });
+std::vector<Expression> MechanicsWriter::equations_of(std::size_t element, ElementState state, Relation relation,
+                                                      bool of_accelerations) const {
+  std::vector<Expression> result;
+  for (const StateEquation e : slipproof::equations(kinds_[element], state)) {
+    if (!of_accelerations || is_of_accelerations(e))
+      result.push_back(form_of(elements_[element], state, e).compared(relation));
+  }
+  return result;
 }
 
-/// An element that sticks has two conditions on its friction: both are written in place of the first. Equal limits give
-/// one condition.
-template <class Text>
-std::string MechanicsWriter::conditions_of(std::size_t element, ElementState state, const char* word,
-                                           const Text& text) const {
-  const ElementText& e = elements_[element];
-  return joined(conditions(kinds_[element], state), word, [&](StateCondition c) {
+std::vector<StateCondition> MechanicsWriter::conditions_of(std::size_t element, ElementState state) const {
+  const WrittenElement& e = elements_[element];
+  std::vector<StateCondition> result;
+  for (const StateCondition c : conditions(kinds_[element], state)) {
     const bool said = c == StateCondition::holds_backward ||
-                      (c == StateCondition::kinetic_limit && e.kinetic_limit.text() == e.static_limit.text());
-    return said ? std::string() : text(c);
-  });
-}
-
-std::string MechanicsWriter::state_name(std::size_t element, ElementState state) const {
-  return elements_[element].state_names[static_cast<std::size_t>(state)];
-}
-
-std::string MechanicsWriter::state_definition(std::size_t element, ElementState state, bool strict) const {
-  const ElementText& e = elements_[element];
-  const char *above = strict ? ">" : ">=", *below = strict ? "<" : "<=";
-  const std::string all_conditions = conditions_of(element, state, " and ", [&](StateCondition c) {
-    const TextForm form = form_of(e, state, c);
-    if (c != StateCondition::holds_forward) return form.compared(above, below);
-    return fmt::format("{} {} {}", form_of(e, state, StateCondition::holds_backward).bound(), below,
-                       form.compared(above, below));
-  });
-  return fmt::format("define {}: {}{}{}\n", state_name(element, state), equations_of(element, state, "=", " and "),
-                     all_conditions.empty() ? "" : " and ", all_conditions);
-}
-
-std::string MechanicsWriter::state_definitions(const MechanismMode& mode, bool strict) const {
-  std::string result;
-  for (std::size_t i = 0; i < mode.size(); ++i) result += state_definition(i, mode[i], strict);
-  return result;
-}
-
-std::string MechanicsWriter::all_state_definitions(bool strict) const {
-  std::string result;
-  for (std::size_t i = 0; i < elements(); ++i) {
-    for (const ElementState state : states_of(i)) result += state_definition(i, state, strict);
+                      (c == StateCondition::kinetic_limit && same(e.kinetic_limit.alone(), e.static_limit.alone()));
+    if (!said) result.push_back(c);
   }
   return result;
 }
 
-std::string MechanicsWriter::mode_text(const MechanismMode& mode) const {
-  std::vector<std::string> names;
+Expression MechanicsWriter::state_name(std::size_t element, ElementState state) const {
+  return make_symbol(elements_[element].state_names[static_cast<std::size_t>(state)]);
+}
+
+Directive MechanicsWriter::state_definition(std::size_t element, ElementState state, bool strict) const {
+  const WrittenElement& e = elements_[element];
+  const Relation above = strict ? Relation::greater : Relation::greater_equal;
+  std::vector<Expression> parts = equations_of(element, state, Relation::equal);
+  for (const StateCondition c : conditions_of(element, state)) {
+    const Expression condition = form_of(e, state, c).compared(above);
+    if (c != StateCondition::holds_forward) {
+      parts.push_back(condition);
+      continue;
+    }
+    const Expression least = form_of(e, state, StateCondition::holds_backward).bound();
+    parts.push_back(make_comparison({least, condition->operands[0], condition->operands[1]},
+                                    {condition->relations[0], condition->relations[0]}));
+  }
+  return {define, 0, {state_name(element, state)->symbol}, conjoined(parts)};
+}
+
+std::vector<Directive> MechanicsWriter::definitions(const MechanismMode& mode, bool strict) const {
+  std::vector<Directive> result = equations();
+  for (std::size_t i = 0; i < mode.size(); ++i) result.push_back(state_definition(i, mode[i], strict));
+  return result;
+}
+
+std::vector<Directive> MechanicsWriter::all_definitions(bool strict) const {
+  std::vector<Directive> result = equations();
+  for (std::size_t i = 0; i < elements(); ++i) {
+    for (const ElementState state : states_of(i)) result.push_back(state_definition(i, state, strict));
+  }
+  return result;
+}
+
+Expression MechanicsWriter::in_mode(const MechanismMode& mode) const {
+  std::vector<Expression> names;
   for (std::size_t i = 0; i < mode.size(); ++i) names.push_back(state_name(i, mode[i]));
-  return fmt::format("{}", fmt::join(names, " and "));
+  return conjoined(names);
 }
 
-std::string MechanicsWriter::any_mode_text() const {
-  std::vector<std::string> all;
+Expression MechanicsWriter::in_any_mode() const {
+  std::vector<Expression> all;
   for (std::size_t i = 0; i < elements(); ++i) {
-    std::vector<std::string> names;
+    std::vector<Expression> names;
     for (const ElementState state : states_of(i)) names.push_back(state_name(i, state));
-    all.push_back(names.size() == 1 ? names.front() : fmt::format("{{{}}}", fmt::join(names, " or ")));
+    all.push_back(disjoined(names));
   }
-  return fmt::format("{}", fmt::join(all, " and "));
+  return conjoined(all);
 }
 
-std::string MechanicsWriter::mode_missed_text(const MechanismMode& mode) const {
+Expression MechanicsWriter::mode_missed(const MechanismMode& mode) const {
   const bool any_forces = may_leave_forces_open();
-  std::vector<std::string> parts;
+  std::vector<Expression> parts;
   for (std::size_t i = 0; i < mode.size(); ++i) {
-    parts.push_back(equations_of(i, mode[i], "!=", " or ", any_forces));
-    parts.push_back(conditions_of(i, mode[i], " or ", [&](StateCondition c) {
-      if (any_forces && !is_of_accelerations(c)) return std::string();
-      const std::string missed = form_of(elements_[i], mode[i], c).compared("<", ">");
-      if (c != StateCondition::holds_forward) return missed;
-      return form_of(elements_[i], mode[i], StateCondition::holds_backward).compared("<", ">") + " or " + missed;
-    }));
+    std::vector<Expression> equations = equations_of(i, mode[i], Relation::not_equal, any_forces);
+    parts.insert(parts.end(), equations.begin(), equations.end());
+    const auto add = [&](StateCondition c) {
+      parts.push_back(form_of(elements_[i], mode[i], c).compared(Relation::less));
+    };
+    for (const StateCondition c : conditions_of(i, mode[i])) {
+      if (any_forces && !is_of_accelerations(c)) continue;
+      if (c == StateCondition::holds_forward) add(StateCondition::holds_backward);
+      add(c);
+    }
   }
-  const std::string result = joined(parts, " or ", [](const std::string& part) { return part; });
-  return result.empty() ? "false" : result;
+  return parts.empty() ? make_truth(false) : disjoined(parts);
 }
 
-std::string MechanicsWriter::state_equations(const MechanismMode& mode) const {
-  std::vector<std::string> all;
-  for (std::size_t i = 0; i < mode.size(); ++i) all.push_back(equations_of(i, mode[i], "=", " and "));
-  return fmt::format("{}", fmt::join(all, " and "));
+Expression MechanicsWriter::state_equations(const MechanismMode& mode) const {
+  std::vector<Expression> all;
+  for (std::size_t i = 0; i < mode.size(); ++i) all.push_back(conjoined(equations_of(i, mode[i], Relation::equal)));
+  return conjoined(all);
 }
 
 }  // namespace slipproof

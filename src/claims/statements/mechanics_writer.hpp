@@ -1,4 +1,4 @@
-// Writes the mechanics of a setting in the syntax of statements: a printout of its mechanism that a person can compare
+// Writes the mechanics of a setting as lines of statements: a printout of its mechanism that a person can compare
 // with the mechanism's file. tests/claims/papers compares it with the problem that the kernel solves.
 #pragma once
 
@@ -6,55 +6,56 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "claims/plain/plain_signs.hpp"
 #include "claims/statements/made_up_names.hpp"
-#include "claims/statements/plain_signs.hpp"
 #include "mechanics/elements/friction_problem.hpp"
+#include "proofs/statement/statement_text.hpp"
 
 namespace slipproof {
 
+/// What a statement assumes or shows about a motion.
+struct StatedMotion {
+  std::vector<Directive> definitions;  ///< lines after the declaration of the unknowns
+  Expression formula;
+};
+
 /// An unknown and a limit, or one of them, added as form_of() does, and compared with 0 as people write it: the unknown
 /// alone is on the left.
-class TextForm {
+class WrittenForm {
  public:
-  TextForm() = default;
-  explicit TextForm(std::string unknown) : unknown_(std::move(unknown)) {}
-  static TextForm limit(std::string text) {
-    TextForm form;
-    form.limit_ = std::move(text);
+  WrittenForm() = default;
+  explicit WrittenForm(const std::string& unknown) : unknown_(make_symbol(unknown)) {}
+  static WrittenForm limit(Expression limit) {
+    WrittenForm form;
+    form.limit_ = std::move(limit);
     return form;
   }
 
-  /// The text of an unknown or a limit.
-  const std::string& text() const { return unknown_.empty() ? limit_ : unknown_; }
-  /// `S >= -mu*N` for mu*N + S; `above` stands for `>=`, `below` for the opposite relation.
-  std::string compared(std::string_view above, std::string_view below) const {
-    return text() + ' ' + std::string(negative_ ? below : above) + ' ' + bound();
-  }
+  /// The unknown or the limit; null for neither.
+  const Expression& alone() const { return unknown_ ? unknown_ : limit_; }
+  /// `S >= -mu*N` for mu*N + S and the relation `>=`.
+  Expression compared(Relation relation) const;
   /// The right side.
-  std::string bound() const {
-    if (unknown_.empty() || limit_.empty()) return "0";
-    return (limit_negative_ == negative_ ? "-" : "") + limit_;
-  }
+  Expression bound() const;
 
-  friend TextForm operator-(TextForm x) {
+  friend WrittenForm operator-(WrittenForm x) {
     x.negative_ = !x.negative_;
     x.limit_negative_ = !x.limit_negative_;
     return x;
   }
-  friend TextForm operator+(TextForm x, TextForm y) {
-    if (x.unknown_.empty()) std::swap(x, y);
+  friend WrittenForm operator+(WrittenForm x, WrittenForm y) {
+    if (!x.unknown_) std::swap(x, y);
     x.limit_ = std::move(y.limit_);
     x.limit_negative_ = y.limit_negative_;
     return x;
   }
-  friend TextForm operator-(TextForm x, TextForm y) { return std::move(x) + -std::move(y); }
+  friend WrittenForm operator-(WrittenForm x, WrittenForm y) { return std::move(x) + -std::move(y); }
 
  private:
-  std::string unknown_, limit_;
+  Expression unknown_, limit_;
   bool negative_ = false, limit_negative_ = false;
 };
 
@@ -73,13 +74,13 @@ class MechanicsWriter {
 
   /// Lines `let` that define the mechanism's symbols in terms of the paper's. A symbol that is also the paper's own
   /// needs none. A symbol that the paper uses for something else is renamed.
-  std::string scene() const;
+  std::vector<Directive> scene() const;
   /// Gaps and slips, and the equations of every mode, as named formulas.
-  std::string equations() const;
-  /// The formulas that equations() defines, joined by `and`.
-  std::string dynamics() const;
-  /// The condition that no contact is open.
-  std::string on_contacts() const;
+  std::vector<Directive> equations() const;
+  /// The conjunction of the formulas that equations() defines.
+  Expression dynamics() const;
+  /// The condition that no contact is open; null if all are.
+  Expression on_contacts() const;
 
   std::size_t elements() const { return kinds_.size(); }
   /// Whether forces may be undetermined while the accelerations are determined, as under a body on two contacts. False
@@ -91,39 +92,41 @@ class MechanicsWriter {
   /// All modes that are modelled.
   std::vector<MechanismMode> modes() const;
 
-  /// `rear_sticks`, and the line that defines it: the equations and conditions of the state.
-  std::string state_name(std::size_t element, ElementState state) const;
-  std::string state_definition(std::size_t element, ElementState state, bool strict) const;
-  std::string state_definitions(const MechanismMode& mode, bool strict) const;
-  std::string all_state_definitions(bool strict) const;
+  /// `rear_sticks`, the name of the formula with the equations and conditions of the state.
+  Expression state_name(std::size_t element, ElementState state) const;
+  /// equations(), and the definitions of the mode's states, or of all states.
+  std::vector<Directive> definitions(const MechanismMode& mode, bool strict) const;
+  std::vector<Directive> all_definitions(bool strict) const;
   /// `rear_sticks and front_lifts`
-  std::string mode_text(const MechanismMode& mode) const;
+  Expression in_mode(const MechanismMode& mode) const;
   /// Every element is in some state.
-  std::string any_mode_text() const;
+  Expression in_any_mode() const;
   /// The condition that a motion is not in the mode, where boundary motions count as in it. If forces may be
   /// undetermined: that no forces put the motion in the mode, because its accelerations do not fit.
-  std::string mode_missed_text(const MechanismMode& mode) const;
-  /// The equations of the mode's states, without their conditions.
-  std::string state_equations(const MechanismMode& mode) const;
+  Expression mode_missed(const MechanismMode& mode) const;
+  /// The equations of the mode's states, without their conditions; null if there are none.
+  Expression state_equations(const MechanismMode& mode) const;
 
   /// False if a statement cannot express part of the mechanism, such as min in its expressions.
   bool complete() const { return complete_; }
 
  private:
-  struct ElementText : ElementForms<TextForm> {
+  struct WrittenElement : ElementForms<WrittenForm> {
     std::array<std::string, element_state_count> state_names;
   };
   void name_symbols();
   void write_elements();
-  void name_states(ElementText& element, const std::string& name);
-  std::string number(const Expression& of_mechanism) const;
-  std::string friction(const Expression& coefficient, const std::string& normal) const;
+  void name_states(WrittenElement& element, const std::string& name);
+  const std::string& name(const std::string& symbol) const { return names_.find(symbol)->second; }
+  Expression number(const Expression& of_mechanism) const;
+  Expression friction(const Expression& coefficient, const std::string& normal) const;
+  Directive state_definition(std::size_t element, ElementState state, bool strict) const;
   /// All equations of a state, with `=` or `!=`, or only those about accelerations.
-  std::string equations_of(std::size_t element, ElementState state, const char* is, const char* word,
-                           bool of_accelerations = false) const;
-  /// Applies `text` to each condition of a state.
-  template <class Text>
-  std::string conditions_of(std::size_t element, ElementState state, const char* word, const Text& text) const;
+  std::vector<Expression> equations_of(std::size_t element, ElementState state, Relation relation,
+                                       bool of_accelerations = false) const;
+  /// The conditions of a state, one of two limits that are equal. An element that sticks has two conditions on its
+  /// friction: holds_forward stands for both.
+  std::vector<StateCondition> conditions_of(std::size_t element, ElementState state) const;
 
   const Setting& setting_;
   const PlainSigns& signs_;
@@ -132,7 +135,7 @@ class MechanicsWriter {
   MadeUpNames made_up_;
   std::map<std::string, std::string, std::less<>> names_;  ///< names of the mechanism's symbols in statements
   std::vector<std::string> equation_names_;
-  std::vector<ElementText> elements_;
+  std::vector<WrittenElement> elements_;
   mutable bool complete_ = true;
   mutable std::optional<bool> forces_open_;  ///< found where it is asked for: few claims need it
 };

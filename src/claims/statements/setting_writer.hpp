@@ -6,76 +6,58 @@
 #include <string>
 #include <vector>
 
+#include "claims/plain/plain_setting.hpp"
 #include "claims/statements/mechanics_writer.hpp"
-#include "claims/statements/plain_signs.hpp"
 
 namespace slipproof {
 
-/// What a statement assumes or shows about a motion.
-struct MotionText {
-  std::string definitions;  ///< lines after the declaration of the unknowns
-  std::string formula;
-};
-
-class SettingWriter {
+class SettingWriter : public PlainSetting {
  public:
+  /// The setting must outlive it.
   SettingWriter(const Setting& setting, Reading reading)
-      : setting_(setting),
-        reading_(reading),
-        names_(setting),
-        signs_(setting, reading),
-        mechanics_(setting, names_, signs_) {}
+      : PlainSetting(setting, reading), mechanics_(setting, names(), signs()) {}
   SettingWriter(const SettingWriter&) = delete;
   SettingWriter& operator=(const SettingWriter&) = delete;
 
-  const Setting& setting() const { return setting_; }
   const MechanicsWriter& mechanics() const { return mechanics_; }
-  Reading reading() const { return reading_; }
 
   /// The motions in a mode, with conditions that are strict if the setting is.
-  MotionText motion(const MechanismMode& mode);
+  StatedMotion motion(const MechanismMode& mode) { return motion(mode, setting().strict); }
   /// The equations of a mode without its conditions; without a mode: of motions without an open contact.
-  MotionText equations(const std::optional<MechanismMode>& mode) const;
+  StatedMotion equations(const std::optional<MechanismMode>& mode) const;
   /// The same, including boundary motions unless `strict`, whatever the setting says.
-  MotionText motion(const MechanismMode& mode, bool strict);
+  StatedMotion motion(const MechanismMode& mode, bool strict);
   /// Motions in all modes. Gives up if not all are modelled.
-  MotionText any_motion(bool strict);
+  StatedMotion any_motion(bool strict);
 
-  std::string text(const Expression& truth);  ///< gives up if the text would be too long
+  /// The condition as a formula. Gives up if it would be too long.
+  Expression formula(const Expression& truth);
+  /// The conjunction of the conditions' formulas; null if there are none. Braces a formula with cases.
+  Expression formula_of_all(const std::vector<Expression>& truths);
   void give_up() { complete_ = false; }
-  /// Whether the domain of the force plainly is one interval that has a value everywhere. If not, no claim of the
-  /// setting has a value.
-  bool has_interval_of_forces() const;
-  /// Whether the expression depends on the force, directly or through definitions.
-  bool depends_on_force(const Expression& e) const { return names_.depends(e, reading_, setting_.force.symbol); }
-  /// Whether an equation is linear in the unknowns and the force as it stands (proofs/MEANING.md).
-  bool is_linear(const Expression& e) const;
-  /// Whether all divisors in the expression plainly differ from 0 in the domain.
-  bool always_defined(const Expression& e) const { return signs_.defined(e); }
-  /// Whether the domain restricts the parameter by more than a lower end; it may then not be arbitrarily large.
-  bool is_bounded(const std::string& parameter) const;
 
  protected:
-  /// The first lines, up to the variables.
-  std::string header(const std::string& theorem, const std::string& comment);
-  /// The names of the paper's parameters, cosines and sines, and of the force; and the line that declares them, empty
-  /// if there are none.
+  /// Begins a statement.
+  WrittenStatement begun(const std::string& theorem, const std::string& comment);
+  /// The names of the paper's parameters, cosines and sines, and of the force.
   std::vector<std::string> parameter_names() const;
-  std::string parameters() const;
-  std::string variables() const;
+  /// Declares these names, and assumes domain().
+  void add_parameters(WrittenStatement& to, bool with_force);
   /// The conditions for a point of the mechanism that are not plain (proofs/MEANING.md, The words), and the domain of
   /// the paper's force.
-  std::string domain(bool with_force) { return domain(with_force, "", ""); }
+  Expression domain(bool with_force) { return domain(with_force, "", ""); }
   /// The same with another name for one parameter.
-  std::string domain(bool with_force, const std::string& parameter, const std::string& renamed);
-  /// `let` lines for every definition that the expressions use; each comes after those that it uses. None needs an
+  Expression domain(bool with_force, const std::string& parameter, const std::string& renamed);
+  /// Adds lines `let` for every definition that the expressions use; each comes after those that it uses. None needs an
   /// unknown of the motion, since definitions are over parameters and the force.
-  std::string definitions(const std::vector<Expression>& uses);
-  /// The definitions in use, and the values of the scene's symbols.
-  std::string scene(const std::vector<Expression>& uses);
-  /// A line `assume`, and the same for a formula; no line for `true`.
-  std::string assumption(const std::string& label, const std::string& formula);
-  std::string assumption(const std::string& label, const Expression& truth);
+  void add_definitions(WrittenStatement& to, const std::vector<Expression>& uses);
+  /// Adds the definitions in use, and the values of the scene's symbols.
+  void add_scene(WrittenStatement& to, const std::vector<Expression>& uses);
+  /// Adds a line `assume`, and the same for a condition; no line for `true`.
+  void assume(WrittenStatement& to, const std::string& label, const Expression& formula);
+  void assume_truth(WrittenStatement& to, const std::string& label, const Expression& truth);
+  /// A number of the paper; null if statements cannot express it.
+  Expression number(const Expression& of_paper) const;
   /// The names that the statement has so far.
   MadeUpNames& made_up() { return made_up_; }
   bool complete() const { return complete_ && mechanics_.complete(); }
@@ -83,14 +65,6 @@ class SettingWriter {
   Expression inlined(const Expression& e) const;
 
  private:
-  /// Whether an unknown, a quantity of a motion, or the force occurs, also in definitions.
-  bool varies(const Expression& e) const;
-  /// Conditions on the scene that the domains of the parameters do not plainly imply.
-  std::vector<Expression> physical();
-  const Setting& setting_;
-  Reading reading_;
-  SettingNames names_;
-  PlainSigns signs_;
   MechanicsWriter mechanics_;
   MadeUpNames made_up_ = mechanics_.names();
   std::set<std::string> defined_;

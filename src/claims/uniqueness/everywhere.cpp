@@ -1,18 +1,17 @@
 #include "claims/uniqueness/everywhere.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <utility>
 
 #include "base/expression/logic.hpp"
-#include "claims/statements/truth_text.hpp"
+#include "base/input/diagnostic.hpp"
+#include "claims/statements/formulas.hpp"
 #include "claims/uniqueness/written_matrix.hpp"
 #include "mechanics/kernel/mode_solver.hpp"
 #include "mechanics/mechanism/system.hpp"
 #include "proofs/check/judge.hpp"
 #include "proofs/search/prove.hpp"
+#include "proofs/statement/statement_text.hpp"
 
 namespace slipproof {
 
@@ -202,21 +201,28 @@ class StatementWriter {
   }
 
   void add(const std::string& name, const std::string& comment, const Expression& shown) {
-    std::vector<std::string> assumed;
-    for (const Expression& condition : domain_) {
-      const auto text = truth_text(condition);
-      if (!text) return give_up();
-      assumed.push_back(text->find(" or ") == std::string::npos ? *text : "{" + *text + "}");
-    }
+    WrittenStatement statement("unique." + name, comment);
     std::vector<std::string> variables;
     for (const MechanismParameter& parameter : mechanism_.parameters) variables.push_back(parameter.symbol);
     for (const MechanismAngle& angle : mechanism_.angles) variables.insert(variables.end(), {angle.cosine, angle.sine});
-    const auto text = truth_text(shown);
-    if (!text || variables.empty()) return give_up();
-    std::string statement = fmt::format("slipproof-statement 1\ntheorem unique.{}\n# {}\nreal {}\n", name, comment,
-                                        fmt::join(variables, " "));
-    if (!assumed.empty()) statement += fmt::format("assume domain: {}\n", fmt::join(assumed, " and "));
-    result_.statements.push_back({"unique." + name, statement + "show " + *text + "\n", {}});
+    if (variables.empty()) return give_up();
+    statement.declare(Directive::Kind::real, variables);
+    std::vector<Expression> assumed;
+    for (const Expression& condition : domain_) {
+      const Expression formula = formula_of(condition);
+      if (!formula) return give_up();
+      assumed.push_back(has_cases(formula) ? braced(formula) : formula);
+    }
+    if (!assumed.empty()) statement.add(Directive::Kind::assume, "domain", conjoined(assumed));
+    const Expression formula = formula_of(shown);
+    if (!formula) return give_up();
+    statement.show(formula);
+    result_.statements.push_back({"unique." + name, statement.text(), {}});
+    try {
+      read_statement(name, result_.statements.back().text);
+    } catch (const InputError&) {  // longer than statements may be
+      give_up();
+    }
   }
 
   void give_up() { complete_ = false; }

@@ -6,7 +6,7 @@
 #include "base/crew/bytes.hpp"
 #include "base/os/sha256.hpp"
 #include "base/parallel/failure.hpp"
-#include "claims/statements/canonical_claims.hpp"
+#include "claims/canonical/canonical_claims.hpp"
 #include "claims/statements/claim_statements.hpp"
 #include "claims/verify/second_checker.hpp"
 #include "claims/verify/verify.hpp"

@@ -20,8 +20,8 @@ struct EverySolution {
   double energy = 0;
   std::vector<double> radius;   ///< energy / sqrt(d) and above it; infinite where d = 0
   std::vector<double> changes;  ///< the same of A x + c, from A point + c; may be infinite
-  double rho = 0;               ///< of the determined components of x, from the answer
-  double eta = 0;               ///< of A x + c, from the answer's
+  double rho = 0;               ///< bound on the distance of the determined components of x from the answer
+  double eta = 0;               ///< bound on the distance of A x + c from the answer's
   double apart = 0;             ///< every solution is at least that far from the answer, in a determined component
   std::size_t open = 0;         ///< forces with d = 0: nothing is said of them
 

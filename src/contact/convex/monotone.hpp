@@ -9,8 +9,8 @@
 
 namespace slipproof {
 
-/// Where the forces of each contact are in a convex set and -u is in its normal cone at them: the associated law, fixed
-/// bounds, and any law without friction.
+/// True if the law of each contact has the form: r in a convex set, -u in its normal cone at r. So for the associated
+/// law, fixed bounds, and any law without friction.
 bool is_convex(const MixedProblem& problem);
 
 /// Why x . A x >= sum_i d_i x_i^2 for all x.

@@ -8,12 +8,12 @@
 
 namespace slipproof {
 
-/// Free unknowns that solve their rows approximately with the forces of `x`, put into it; false where that breaks down.
-/// Cubic in their number where it exceeds a few hundred and A is dense.
+/// Solves the free rows approximately for the free unknowns, given the forces in `x`, and stores them there. Returns
+/// false if the elimination breaks down. Cubic in their number if that exceeds a few hundred and A is dense.
 bool complete_free_unknowns(const MixedProblem& problem, std::vector<double>& x);
 
-/// An answer as files give it, in one vector; solves for missing free unknowns. `reason` says what is wrong with its
-/// size; NaN and infinities are kept.
+/// Converts an answer from a file to one vector; solves for missing free unknowns. Sets `reason` if its size is wrong.
+/// Keeps NaN and infinities.
 std::vector<double> answer_vector(const ProblemFile& file, const MixedProblem& problem, const SolverAnswer& answer,
                                   std::string& reason);
 

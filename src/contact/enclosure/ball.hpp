@@ -16,31 +16,32 @@ namespace slipproof {
 struct SparseInverse {
   SparseMatrix matrix;
   std::vector<double> rows, columns;  ///< the diagonals of D and E
-  double error = 0;                   ///< upper bound on the norm of what rounding changed in the matrix
+  double error = 0;                   ///< upper bound on the norm of the rounding error of the matrix
   SparseFactor factor;
 };
 
-/// Nothing where the elimination breaks down, or the matrix is singular as far as binary64 can tell.
+/// Nothing if the elimination breaks down, or if the matrix is singular to binary64 precision.
 std::shared_ptr<const SparseInverse> sparse_inverse(const ModeSystem& system, const SystemBlock& block,
                                                     std::span<const double> z);
 
-/// Whether the block has at least so many unknowns, and nearly all entries of its derivative are 0; with 0: always.
+/// True if the block has at least this number of unknowns and nearly all entries of its derivative are 0; always true
+/// for 0.
 bool is_large_and_sparse(const ModeSystem& system, const SystemBlock& block, std::span<const double> z,
                          std::size_t large);
 
-/// As krawczyk(); the block has its sparse inverse.
+/// Like krawczyk(), for a block with a sparse inverse.
 std::optional<KrawczykBox> enclose_in_ball(const ModeSystem& system, const SystemBlock& block,
                                            std::span<const double> z);
 
-/// What a certificate says of a whole system at once (FORMAT.md, `ball`).
+/// The proof for all unknowns together in a certificate (FORMAT.md, `ball`).
 struct BallProof {
-  std::vector<Rational> center;      ///< of all unknowns
+  std::vector<Rational> center;      ///< by unknown
   std::vector<double> radius, rows;  ///< powers of 2; the radius of a pinned unknown is 1
   double least = 0, defect = 0, bend = 0;
   std::vector<SingularValueProof::Entry> factor;
 };
 
-/// Of an enclosure whose blocks are large and sparse. Nothing where their norms together are too coarse.
+/// Proves an enclosure whose blocks are large and sparse. Nothing if the norm of all blocks together is too coarse.
 std::optional<BallProof> prove_in_ball(const Enclosure& enclosure);
 
 }  // namespace slipproof

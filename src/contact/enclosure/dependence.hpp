@@ -27,8 +27,8 @@ DependentPart dependent_part(const ModeSystem& system, std::span<const double> z
 bool combine(const MixedProblem& problem, const ModeSystem& system, std::span<const std::size_t> equations,
              std::vector<DroppedEquation>& dropped);
 
-/// What to pin and to drop for a regular system; if this cannot be done exactly, `reason` with the unknowns in
-/// question.
+/// The unknowns to pin and the equations to drop for a regular system; if this cannot be done exactly, `reason` names
+/// the unknowns concerned.
 struct DependenceResult {
   std::vector<std::size_t> unknowns;
   std::vector<DroppedEquation> dropped;

@@ -18,14 +18,14 @@ struct SparseInverse;  // ball.hpp
 struct SystemBlock {
   std::vector<std::size_t> unknowns, equations;
   DenseMatrix inverse;  ///< approximate, of the derivative: rows for the unknowns, columns for the equations
-  std::shared_ptr<const SparseInverse> sparse = {};  ///< in its place for a large block with few entries
+  std::shared_ptr<const SparseInverse> sparse = {};  ///< replaces the inverse of a large sparse block
 };
 
 /// The connected parts of a system, without the `pinned` unknowns and the `dropped` equations. Some may not be square.
 std::vector<SystemBlock> blocks_of(const ModeSystem& system, std::span<const double> z, const std::vector<bool>& pinned,
                                    const std::vector<bool>& dropped);
 
-/// What rounding may have changed in an entry of a derivative.
+/// Bound on the rounding error of an entry of a derivative.
 struct DerivativeError {
   std::size_t equation, unknown;  ///< counted in the block
   double amount;
@@ -35,8 +35,8 @@ struct DerivativeError {
 DenseMatrix block_derivative(const ModeSystem& system, const SystemBlock& block, std::span<const double> z,
                              std::vector<DerivativeError>* errors = nullptr);
 
-/// One step of Newton's method with the block's inverse: what is to be taken from z, in the order of the block's
-/// unknowns.
+/// One step of Newton's method with the block's inverse: returns the correction to subtract from z, in the order of the
+/// block's unknowns.
 std::vector<double> newton_step(const ModeSystem& system, const SystemBlock& block, std::span<const double> z,
                                 std::span<const double> x);
 

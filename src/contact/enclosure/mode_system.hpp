@@ -11,8 +11,8 @@
 namespace slipproof {
 
 /// `slide_plus` (u_T >= 0) and `slide_minus` are the two ways of sliding in the plane, `slide` is that of space. In the
-/// box pyramid each direction of space sticks or slides for itself: the states from `slide_plus_0` on. Where mu = 0,
-/// and in dimension 1, what is closed sticks. `touch` is the border of open and closed: r = 0 and u_N = 0.
+/// box pyramid each tangential direction sticks or slides independently: the states from `slide_plus_0` on. For mu = 0,
+/// and in dimension 1, a closed contact sticks. `touch` is the boundary between open and closed: r = 0 and u_N = 0.
 enum class ConeState : std::uint8_t {
   open,
   touch,
@@ -35,14 +35,14 @@ std::string_view name(ConeState state);
 /// `slide`.
 std::array<int, 2> slip_signs(ConeState state);
 
-using ConeMode = std::vector<ConeState>;  ///< of each contact
+using ConeMode = std::vector<ConeState>;  ///< by contact
 
 /// Component `part` of r - u / scale at a contact, 0 being the normal one. Where x is a solution, r is its projection
 /// onto the cone: for the associated law the nearest point of it, for Coulomb's with the normal part kept.
 double before_projection(const MixedProblem& problem, std::span<const double> x, std::size_t contact, std::size_t part,
                          double scale);
 
-/// One that `x` looks like, by where the projection of r - u / scale onto the cone falls.
+/// Guesses a mode from `x`: by the part of the cone into which r - u / scale is projected.
 ConeMode guess_mode(const MixedProblem& problem, std::span<const double> x, std::span<const double> scales);
 
 /// The problem must outlive it. Unknowns and equations as src/proofs/check_contact/FORMAT.md orders them. With z for
@@ -63,7 +63,7 @@ class ModeSystem {
   enum class Kind : std::uint8_t { linear, tangential, cone, edge, opening, leaning };
   struct Equation {
     Kind kind = Kind::linear;
-    std::size_t row = 0;        ///< of A, where it is one
+    std::size_t row = 0;        ///< row of A, if the equation is one
     std::size_t force = none;   ///< tangential, edge: the unknown r_T; others: the first of the contact's force
     std::size_t slip = none;    ///< tangential, opening: the unknown s
     double mu = 0;              ///< its coefficient; edge, leaning: negative where r_T - mu r_N = 0
@@ -79,7 +79,7 @@ class ModeSystem {
   const ConeMode& mode() const { return mode_; }
   /// The index of an unknown in x; `none` for slips.
   std::size_t place(std::size_t unknown) const { return unknowns_[unknown]; }
-  /// Which unknown a component of x is; `none` where it is 0 in this mode.
+  /// The unknown that a component of x is; `none` if it is 0 in this mode.
   std::size_t unknown(std::size_t place) const { return unknown_of_[place]; }
   /// Whether a component of x is 0 in this mode, though it may be an unknown: the force of a contact that touches.
   bool is_zero(std::size_t place) const {
@@ -96,7 +96,7 @@ class ModeSystem {
   std::vector<double> x_at(std::span<const double> z) const;
   /// F_i, exactly; `x` is x_at(z).
   Rational value(std::size_t equation, std::span<const double> z, std::span<const double> x) const;
-  /// The same at unknowns that are no binary64.
+  /// The same for unknowns that need not be binary64.
   Rational value(std::size_t equation, std::span<const Rational> z) const;
   /// Row i of the derivative of F, in no order, each unknown once.
   std::vector<Entry> derivative(std::size_t equation, std::span<const double> z) const;

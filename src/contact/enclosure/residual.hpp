@@ -20,12 +20,13 @@ struct Violation {
   double effect = 0;      ///< the same as a velocity: what a force is wrong by changes velocities
 };
 
-/// All bounds are upper bounds, and pay for their own rounding.
+/// Upper bounds, which include their own rounding errors.
 struct Residual {
-  /// With constants changed by at most `change` in each component the problem is solved exactly by a point that is at
-  /// most `moved` away from the answer in each component: forces just outside of their cones are moved back.
+  /// Backward error: the problem whose constants differ by at most `change` in each component is solved exactly by a
+  /// point at most `moved` from the answer in each component. Forces just outside of their cones are moved into them.
   double change = 0, moved = 0;
-  double scale = 1;  ///< of contacts: the largest |q_i| (sizes.hpp); if all are 0, what the forces give
+  /// Size of velocities at contacts: the largest |q_i| (sizes.hpp); if all are 0, the size that the forces give.
+  double scale = 1;
   /// The largest change of a row over the size of its kind: `scale`, or for a free row its own.
   double relative = 0;
   std::vector<FittedContact> contacts;
@@ -38,13 +39,13 @@ struct Residual {
 /// for the bounds.
 Residual residual(const MixedProblem& problem, std::span<const double> x, std::span<const Rational> w,
                   const ContactLaw& law);
-/// By the problem's own law.
+/// The residual under the problem's own law.
 inline Residual residual(const MixedProblem& problem, std::span<const double> x, std::span<const Rational> w) {
   return residual(problem, x, w, problem.law);
 }
 
-/// For each contact how much u changes with r, roughly: the norm of its block of A, or of the Delassus matrix as the
-/// diagonal of the free rows would give it. Never 0.
+/// For each contact, the approximate size of the change of u with r: the norm of its block of A, or of the Delassus
+/// matrix with the free rows replaced by their diagonal. Never 0.
 std::vector<double> contact_scales(const MixedProblem& problem);
 
 }  // namespace slipproof

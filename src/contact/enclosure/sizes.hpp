@@ -18,7 +18,7 @@ struct ContactSizes {
 };
 ContactSizes contact_sizes(const MixedProblem& problem);
 
-/// Of free unknowns and their rows, where contact forces are about `force`.
+/// Sizes of free unknowns and of their rows, if contact forces are about `force`.
 struct FreeSizes {
   std::vector<double> unknowns, rows;
 };

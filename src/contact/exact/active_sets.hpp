@@ -9,9 +9,9 @@
 
 namespace slipproof {
 
-/// Principal pivoting from a set of active components: all components of the wrong sign change sides at once while
-/// their number falls; if it does not fall for long, one at a time, that of the highest index (Murty 1974; Judice and
-/// Pires 1994). For a P-matrix this ends at the solution. Nothing if a system is singular, or it takes too long.
+/// Principal pivoting from a set of active components (Murty 1974; Judice and Pires 1994). While the number of
+/// components with the wrong sign decreases, all of them change sides together; if it stalls, only the one with the
+/// highest index does. Ends at the solution for a P-matrix. Nothing if a system is singular, or after too many steps.
 std::optional<std::vector<bool>> active_by_pivots(const MixedProblem& problem, std::vector<bool> active,
                                                   Effort& effort);
 

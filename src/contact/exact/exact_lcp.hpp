@@ -12,7 +12,7 @@ namespace slipproof {
 
 /// x >= 0, w = A x + c >= 0, and x_i w_i = 0.
 struct ExactLcpSolution {
-  std::vector<bool> active;  ///< where w_i = 0 was an equation; elsewhere x_i = 0 was
+  std::vector<bool> active;  ///< true: solved with w_i = 0; false: with x_i = 0
   ExactVector x, w;
 
   /// 1: x_i > 0, -1: w_i > 0, 0: both are 0, and the set of active components is not the only one.
@@ -26,7 +26,7 @@ struct ExactLcpSolution {
 /// within the effort, or if the problem is not a complementarity problem. See exact_solution() for the cost.
 std::optional<ExactLcpSolution> solve_lcp(const MixedProblem& problem, std::vector<bool> active, Effort& effort);
 
-/// The solution with these active components; nothing if there is none, or not exactly one. Throws TooMuchWork.
+/// The solution with these active components; nothing unless there is exactly one. Throws TooMuchWork.
 std::optional<ExactLcpSolution> solve_active(const MixedProblem& problem, const std::vector<bool>& active,
                                              Effort& effort);
 

@@ -1,4 +1,4 @@
-// Where no solution is: the law of one contact fails in a whole box around an answer.
+// Proof that a box around an answer contains no solution: the law of one contact fails everywhere in it.
 #pragma once
 
 #include <optional>

@@ -22,11 +22,11 @@ Work linear_modes(const MixedProblem& problem, Slides slides);
 /// About how much work each_linear_solution() is: its numbers grow with each force that is eliminated.
 Work work_of_linear_modes(const MixedProblem& problem, const ContactProblem& contacts, Slides slides);
 
-/// Calls visit(r) with the forces of each solution in these modes, until it returns false. A mode whose equations leave
-/// forces open is tried with these at 0, and at their values in `start`; its other solutions are missed. One solution
-/// may be visited several times. The modes are a tree: contacts are decided one after the other, and the forces of
-/// closed ones are eliminated from what is left, so that modes share most of the work. `contacts` is the problem
-/// without its free unknowns, `start` has its size.
+/// Calls visit(r) with the forces of each solution in these modes, until it returns false. If the equations of a mode
+/// leave forces undetermined, these are tried at 0 and at their values in `start`; other solutions of the mode are
+/// missed. A solution may be visited several times. The modes form a tree: contacts are decided one after the other,
+/// and the forces of closed ones are eliminated from the remaining rows, so that modes share most of the work.
+/// `contacts` is the problem without its free unknowns, `start` has its size.
 void each_linear_solution(const MixedProblem& problem, const ContactProblem& contacts, Slides slides,
                           std::span<const double> start,
                           const std::function<bool(const std::vector<Rational>&)>& visit);

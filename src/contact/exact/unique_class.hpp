@@ -12,11 +12,10 @@
 
 namespace slipproof {
 
-/// Without free unknowns and without tangential parts, all numbers being finite: x >= 0, A x + c >= 0, and in each
-/// component one of them 0.
+/// True for a linear complementarity problem in finite numbers: no free unknowns, no tangential components.
 bool is_complementarity(const MixedProblem& problem);
 
-/// Without free unknowns, in dimension 2, all numbers finite.
+/// True for contacts in dimension 2 without free unknowns, in finite numbers.
 bool is_planar_friction(const MixedProblem& problem);
 
 /// Why a complementarity problem with some matrix has exactly one solution for every constant: each class is contained
@@ -37,21 +36,21 @@ struct UniqueProof {
   SparseMatrix factor;
 };
 
-/// As messages and JSON call it: `P-matrix`.
+/// The name in messages and JSON: `P-matrix`.
 std::string_view name(UniqueProof::Class kind);
 
-/// Whether it is a proof, decided exactly. False for what is no complementarity problem, for numbers that are not
-/// finite, and for shapes that do not fit; of `p_matrix` also beyond max_minors_size, of `determinants` beyond
-/// max_determinant_contacts. Linear for `dominant`. For `definite` and `bound` the work of L L^T in floating point, and
-/// where its rounding errors leave it open again without any.
+/// Decides exactly whether the proof is valid. False if the problem is of another kind, if numbers are not finite, and
+/// if sizes do not match; for `p_matrix` also above max_minors_size, for `determinants` above max_determinant_contacts.
+/// Linear for `dominant`. For `definite` and `bound` it takes one L L^T in floating point, and an exact one if rounding
+/// errors leave the result open.
 bool proves(const UniqueProof& proof, const MixedProblem& problem);
 
 /// A proof, checked; nothing if none was found within the effort. Floating point finds d and L: for 20,000 rows with a
 /// few entries each d takes a tenth of a second, for 1,000 full rows L takes a second.
 std::optional<UniqueProof> prove_unique(const MixedProblem& problem, Effort& effort);
 
-/// Of planar friction: A with what the bound of contact/problem/every_load.hpp subtracts from its diagonal, rounded
-/// down. Nothing where that is not positive.
+/// For planar friction: A minus the bound of contact/problem/every_load.hpp on its diagonal, rounded down. Nothing if a
+/// diagonal entry is then not positive.
 std::optional<SparseMatrix> lowered_by_friction(const MixedProblem& problem);
 
 /// There are 4^n mode determinants.

@@ -6,12 +6,12 @@
 
 namespace slipproof {
 
-/// At the scene's load. Where forces belong to no contact, or equations are given as printed, the local form, in which
-/// the equations are solved for the contacts' forces; else the global one. v are the accelerations, u the gaps and
-/// slips, r and lambda the forces of contacts and of what holds always: links, and guides without friction. Contacts
-/// that are open have no part in it. Throws InputError for what no such problem says: a friction element, a guide with
-/// friction, a contact that slides, a static coefficient of its own, rows that are not those of virtual work, a load
-/// without a value.
+/// The contact problem of a scene at its load. Uses the local form, with the equations solved for the contact forces,
+/// if some forces belong to no contact or if equations are given as printed; otherwise the global form. v are the
+/// accelerations, u the gap and slip accelerations, r the contact forces, lambda the forces of links and of guides
+/// without friction. Open contacts are left out. Throws InputError for scenes that such a problem cannot express: a
+/// friction element, a guide with friction, a contact that slides, a static coefficient of its own, rows that are not
+/// those of virtual work, a load without a value.
 GlobalProblem global_problem(const MechanismScene& scene);
 
 }  // namespace slipproof

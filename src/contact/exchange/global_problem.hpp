@@ -16,12 +16,12 @@ struct GlobalProblem {
   RationalMatrix M;     ///< symmetric
   RationalMatrix H, G;  ///< a row for each component of v; G may have no columns
   std::vector<Rational> f, w, b, mu;
-  RationalMatrix W;  ///< of the local form, with q; then there is no M, H, G, f, w, b
+  RationalMatrix W;  ///< matrix of the local form, with q; then M, H, G, f, w, b are empty
   std::vector<Rational> q;
   std::vector<std::string> contacts;  ///< their names
 };
 
-/// As contact/formats/FORMATS.md describes it, one line for each row.
+/// JSON as described in contact/formats/FORMATS.md, one line for each row.
 std::string to_json(const GlobalProblem& problem);
 
 }  // namespace slipproof

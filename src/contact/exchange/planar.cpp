@@ -51,7 +51,7 @@ class PlanarWriter {
     for (const Joint& one : scene_.joints) held += joint(one);
     const std::string touching = contacts();
     result_.import_notes = scene_.import_notes;
-    result_.import_notes.insert(result_.import_notes.end(), told_.begin(), told_.end());
+    result_.import_notes.insert(result_.import_notes.end(), contact_notes_.begin(), contact_notes_.end());
     result_.plane = view_.name;
     result_.text = head() + bodies + held + touching;
     return std::move(result_);
@@ -128,8 +128,8 @@ class PlanarWriter {
       const Rational mu = friction_at(scene_, *c.line_of, *c.point_of, options_, mistakes_);
       text += "friction = " + quoted(mu) + "\n";
       if (!c.distance.is_zero()) {
-        told_.push_back(c.point_of->name + " and " + c.line_of->name + ": " + distance_in_words(c.distance) +
-                        ", moved to touch");
+        contact_notes_.push_back(c.point_of->name + " and " + c.line_of->name + ": " + distance_in_words(c.distance) +
+                                 ", moved to touch");
       }
       ++result_.contacts;
     }
@@ -141,7 +141,7 @@ class PlanarWriter {
   const PlanarOptions& options_;
   Mistakes& mistakes_;
   Identifiers names_;
-  std::vector<std::string> body_names_, told_;
+  std::vector<std::string> body_names_, contact_notes_;
   PlanarMechanism result_;
 };
 

@@ -13,8 +13,8 @@ struct PlanarOptions : TouchOptions {
 };
 
 struct PlanarMechanism {
-  std::string text;                       ///< of the mechanism's file
-  std::vector<std::string> import_notes;  ///< what was left out, moved, turned or assumed
+  std::string text;                       ///< contents of the mechanism's file
+  std::vector<std::string> import_notes;  ///< remarks: parts that were left out, moved, turned or assumed
   std::string plane;
   std::size_t contacts = 0;
 };

@@ -15,13 +15,13 @@ struct PlanarContact {
   const Shape *point_of = nullptr, *line_of = nullptr;
   Point centre;                 ///< the point, or the centre of the disc
   Rational radius = 0;          ///< 0: a point
-  std::optional<Point> normal;  ///< of the line, out of its body
-  Point through;                ///< of the line, or the centre of the other disc
-  Rational on_radius = 0;       ///< of that one
-  Rational distance = 0;        ///< by which the line or disc was moved to touch
+  std::optional<Point> normal;  ///< normal of the line, out of its body
+  Point through;                ///< a point of the line, or the centre of the other disc
+  Rational on_radius = 0;       ///< radius of the other disc
+  Rational distance = 0;        ///< distance by which the line or disc was moved to touch
 };
 
-/// All of them; mistakes where shapes are inside each other, or touch in a way that is not read.
+/// All contacts of a scene. Reports overlapping shapes, and kinds of touching that are not supported.
 std::vector<PlanarContact> planar_contacts(const Scene& scene, const View& view, const Rational& touch,
                                            Mistakes& mistakes);
 

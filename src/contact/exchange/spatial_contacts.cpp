@@ -76,7 +76,7 @@ std::vector<Vector> clipped(std::vector<Vector> polygon, const Face& face) {
 class ShapeContacts {
  public:
   ShapeContacts(const Scene& scene, const Rational& touch, Mistakes& mistakes, std::vector<std::string>& import_notes)
-      : scene_(scene), touch_(touch), mistakes_(mistakes), told_(import_notes) {}
+      : scene_(scene), touch_(touch), mistakes_(mistakes), notes_(import_notes) {}
 
   std::vector<SpatialContact> find() {
     for_each_pair(scene_, [&](std::size_t i, const Shape& a, std::size_t j, const Shape& b) { pair(i, a, j, b); });
@@ -194,7 +194,7 @@ class ShapeContacts {
         for (const int side : {1, -1}) rim.push_back(end + Rational(side) * shape.radius * axes[axis]);
       }
     }
-    told_.push_back(shape.name + " stands on a disc: four points of its rim touch");
+    notes_.push_back(shape.name + " stands on a disc: four points of its rim touch");
     return rim;
   }
 
@@ -224,7 +224,7 @@ class ShapeContacts {
   const Scene& scene_;
   const Rational& touch_;
   Mistakes& mistakes_;
-  std::vector<std::string>& told_;
+  std::vector<std::string>& notes_;
   std::vector<SpatialContact> found_;
 };
 

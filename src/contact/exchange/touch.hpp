@@ -10,20 +10,20 @@ namespace slipproof::imported {
 
 struct TouchOptions {
   Rational touch = Rational(1, 10000);  ///< shapes that are at most so far apart, or inside each other, touch
-  std::optional<Rational> mu;           ///< of all contacts, instead of the format's
+  std::optional<Rational> mu;           ///< for all contacts, instead of the file's
   std::optional<Rational> ground;       ///< a level plane at this height
   std::optional<Rational> gravity;      ///< along -z, instead of the file's
 };
 
-/// Adds the ground and the gravity that were asked for; URDF, which has none, falls with 9.81, which is told.
+/// Adds the requested ground and gravity. URDF has no gravity, so 9.81 is assumed and noted.
 void complete(Scene& scene, const TouchOptions& options);
 
 /// The coefficient of two shapes that touch; a mistake where nothing says one.
 Rational friction_at(const Scene& scene, const Shape& a, const Shape& b, const TouchOptions& options,
                      Mistakes& mistakes);
 
-/// Calls each(body, shape, other body, other shape) for the pairs of shapes that may touch: of two bodies, one of which
-/// moves, that no joint holds to each other.
+/// Calls each(body, shape, other body, other shape) for the pairs of shapes that may touch: of two bodies that no joint
+/// connects and that are not both fixed.
 template <class Each>
 void for_each_pair(const Scene& scene, const Each& each) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {

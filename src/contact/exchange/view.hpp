@@ -40,17 +40,17 @@ struct View {
 };
 const std::vector<View>& views();
 
-/// What a shape looks like.
+/// The outline of a shape in a view.
 struct Outline {
   std::vector<Point> corners;  ///< counterclockwise; of a box, a cylinder that lies, and the flanks of a capsule
   bool has_corners = true;     ///< false: the corners are no points that touch, as those of flanks
-  std::vector<Point> centres;  ///< of discs
+  std::vector<Point> centres;  ///< centres of discs
   Rational radius = 0;
-  std::optional<Point> normal;  ///< of a half plane, with
+  std::optional<Point> normal;  ///< normal of a half plane, with
   Point through;
 };
 
-/// Nothing, with why, where it is seen askew.
+/// Nothing if the shape is seen at an oblique angle; then sets `why`.
 std::optional<Outline> outline_of(const Shape& shape, const View& view, std::string& why);
 
 /// Why a scene does not stay in a plane; empty: it does.

@@ -8,7 +8,7 @@
 
 namespace slipproof {
 
-/// How every HDF5 file begins.
+/// The first bytes of every HDF5 file.
 inline constexpr std::string_view hdf5_signature = "\x89HDF\r\n\x1a\n";
 
 /// Reads the problem with its /solution and /guesses; see FORMATS.md. `file` is its name in messages. Throws InputError

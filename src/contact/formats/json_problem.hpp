@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/files/json_tree.hpp"
 #include "base/number/parse.hpp"
@@ -12,9 +13,9 @@
 
 namespace slipproof {
 
-/// The object, before anything is known of its numbers: whoever reads them says what they mean. `text` must outlive it.
-/// All functions throw InputError with the path of what is not as it should be ("W[3][2]", counted from 1), or with
-/// line and column of what is no JSON.
+/// A contact problem as a JSON object, whose numbers are still text; the caller chooses their type. `text` must outlive
+/// it. All functions throw InputError with the path of the wrong value ("W[3][2]", counted from 1), or with line and
+/// column if the text is not JSON.
 class JsonProblem {
  public:
   JsonProblem(std::string_view text, std::string file);
@@ -32,12 +33,13 @@ class JsonProblem {
   bool is_large() const;
 
   ProblemForm form() const;
-  /// Of contacts with friction: as `dimension` says it, or the sizes. `coefficients`: of a list mu.
+  /// The dimension of contacts with friction, from the key `dimension` or from the sizes. `coefficients` is the length
+  /// of a list mu.
   std::size_t dimension(std::size_t components, std::optional<std::size_t> coefficients) const;
-  /// "W", or "M" where that is its name.
+  /// The name of the matrix in the file: "W" or "M".
   const char* matrix_name() const;
 
-  /// What read() returns; a NumberError that it throws is told with the place and path of the node.
+  /// Calls read() and returns its result; adds the place and path of the node to a NumberError.
   template <class Read>
   auto at(const JsonNode& node, const std::string& where, const Read& read) const {
     try {
@@ -49,11 +51,32 @@ class JsonProblem {
   /// Calls put(number) for each item of a list. The same.
   void each_number(const JsonNode& list, const std::string& where,
                    const std::function<void(const JsonNode&)>& put) const;
+  /// The results of number(item) for each item of a list. The same.
+  template <class Number>
+  auto numbers(const JsonNode& list, const std::string& where, const Number& number) const {
+    std::vector<decltype(number(list))> result;
+    each_number(list, where, [&](const JsonNode& item) { result.push_back(number(item)); });
+    return result;
+  }
+  /// Coefficients of friction for all contacts, from `mu`: a list, or one number for all. Sets the contacts' dimension.
+  /// The same.
+  template <class Number>
+  auto coefficients(std::size_t components, std::size_t& dimension, const Number& number) const {
+    const JsonNode& mu = need("mu", "a coefficient of friction, or one for each contact");
+    if (mu.kind == JsonNode::Kind::list) {
+      auto each = numbers(mu, "mu", number);
+      dimension = this->dimension(components, each.size());
+      return each;
+    }
+    const auto common = at(mu, "mu", [&] { return number(mu); });
+    dimension = this->dimension(components, std::nullopt);
+    return std::vector<decltype(number(mu))>(components / dimension, common);
+  }
   /// Calls put(row, column, number) for each entry of a matrix, dense or sparse, of this size. The same.
   using PutEntry = std::function<void(std::size_t, std::size_t, const JsonNode&)>;
   void each_entry(const std::string& name, std::size_t rows, std::size_t columns, const PutEntry& put) const;
 
-  /// The part of an answer under one of these names, and the name; null if there is none.
+  /// The part of an answer with one of these names, and its name; null if there is none.
   std::pair<const JsonNode*, std::string> part(std::initializer_list<const char*> names) const;
   void refuse_unknown() const;
 
@@ -74,7 +97,7 @@ class JsonProblem {
   JsonTree tree_;
 };
 
-/// All of it, with numbers as the nearest binary64.
+/// Reads the complete problem, rounding numbers to the nearest binary64.
 ReadProblem read_json_problem(const JsonProblem& json);
 ReadProblem read_json_problem(std::string_view text, const std::string& file);
 

@@ -12,12 +12,12 @@
 namespace slipproof {
 
 enum class FrictionLaw : std::uint8_t {
-  cone,        ///< Coulomb's: |r_T| <= mu r_N, Euclidean, u_T against r_T where that is an equality
+  cone,        ///< Coulomb: |r_T| <= mu r_N, Euclidean; u_T opposes r_T if that is an equality
   box,         ///< |r_T1| <= mu r_N and |r_T2| <= mu r_N, each direction for itself
   diamond,     ///< |r_T1| + |r_T2| <= mu r_N, with the largest dissipation
-  fixed,       ///< |r_Ti| <= a bound of the problem, each direction for itself, whatever r_N is
+  fixed,       ///< |r_Ti| <= a bound given by the problem, for each direction, independent of r_N
   associated,  ///< r in the cone, u in its dual cone, r . u = 0: convex; what slides also opens
-  regularised  ///< r_T = -mu r_N f(|u_T| / v_s) u_T / |u_T|: whatever holds creeps
+  regularised  ///< r_T = -mu r_N f(|u_T| / v_s) u_T / |u_T|: no sticking, only creeping
 };
 
 /// f of the regularised law.
@@ -34,7 +34,7 @@ struct ContactLaw {
   Regularisation function = Regularisation::linear;
 };
 
-/// What a law is called: by options, files and certificates, and in sentences. And whether it has bounds.
+/// Names of a law: in options, files and certificates, and in sentences. And whether the law has bounds.
 struct LawFacts {
   std::string_view word, name;
   bool bounded = false;
@@ -65,7 +65,7 @@ constexpr std::string_view word(Regularisation function) {
   return regularisation_words[static_cast<std::size_t>(function)];
 }
 
-/// All words by which laws are known: `coulomb` is `cone`, too.
+/// All names that are accepted for laws; `coulomb` is another name of `cone`.
 inline std::vector<std::string> law_words() {
   std::vector<std::string> words{"coulomb"};
   for (const LawFacts& law : law_facts) words.emplace_back(law.word);

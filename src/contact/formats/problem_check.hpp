@@ -28,12 +28,12 @@ AnswerSizes answer_sizes(const ProblemFile& problem);
 /// how messages call the answer.
 void check_answer(const ProblemFile& problem, const SolverAnswer& answer, const std::string& where, Mistakes& mistakes);
 
-/// By how much two opposite entries differ, and the largest entry.
+/// The largest difference of two opposite entries, and the largest entry.
 struct Asymmetry {
   double difference = 0, largest = 0;
-  std::size_t row = 0, column = 0;  ///< from 0, of the first entry that differs most from its opposite
+  std::size_t row = 0, column = 0;  ///< counted from 0: the first entry that differs most from its opposite
 };
-/// Of a square matrix, rounded to binary64.
+/// The asymmetry of a square matrix, rounded to binary64.
 Asymmetry asymmetry(const SparseMatrix& matrix);
 
 /// Why an answer with r = 0 is not a solution: a sentence without a full stop. Nothing if r is not 0 or not given, or

@@ -31,27 +31,26 @@ struct ProblemFile {
   SparseMatrix M, H, G;  ///< global
   std::vector<double> f, w, b;
   std::vector<double> mu;  ///< Coulomb coefficient of each contact, >= 0; empty for complementarity
-  /// What a solver solves in place of Coulomb's law, if the file says it: its law, and in its law's u a compliance R >
-  /// 0 or = 0 of each component and a bias b, u = W r + R r + q + b. Empty where there is none.
+  /// The law that the solver used instead of Coulomb's, if the file states it, with a compliance R >= 0 of each
+  /// component and a bias b in its u = W r + R r + q + b; R and b are empty if absent.
   ContactLaw law;
   std::vector<double> compliance, bias;
-  std::string force_unit, velocity_unit;  ///< as the file calls them; may be empty
+  std::string force_unit, velocity_unit;  ///< as in the file; may be empty
   std::string title;                      ///< the same
-  /// What the file says that a reader should know and a program must not trust: a stored solution with r = 0, numbers
-  /// printed with six digits, a trailing token. Sentences without a full stop.
+  /// Remarks for users, not for programs: a stored solution with r = 0, numbers printed with six digits, a trailing
+  /// token. Sentences without a full stop.
   std::vector<std::string> remarks;
 
   std::size_t components() const { return form == ProblemForm::global ? H.columns : q.size(); }
   std::size_t contacts() const { return components() / dimension; }
 };
 
-/// What a solver gives; an empty vector is a part that it does not give. NaN and infinities are kept: they are answers,
-/// and wrong ones.
+/// The answer of a solver; parts that it does not give are empty. Keeps NaN and infinities: they are wrong answers.
 struct SolverAnswer {
   std::string origin;             ///< "/solution", "/guesses/1", the name of a file
   std::vector<double> r;          ///< forces or impulses; z of a complementarity problem
   std::vector<double> u;          ///< velocities or accelerations; w of a complementarity problem
-  std::vector<double> v, lambda;  ///< of the global form, and of bilateral rows
+  std::vector<double> v, lambda;  ///< parts of the global form and of bilateral rows
 };
 
 /// The number of components of each part of an answer: a reader allocates no more. Nothing if it is unknown.

@@ -15,11 +15,11 @@ std::string problem_formats();
 /// collects all remarks. Throws InputError. Linear in the file, except for sorting matrices.
 ReadProblem read_problem_file(const std::string& path);
 
-/// The same of what was read of a line of JSON Lines, which is line 1 of its file in messages.
+/// The same for an object from a line of JSON Lines, which messages call line 1.
 ReadProblem read_problem_line(const JsonProblem& json);
 
-/// What a solver gives, alone in a file; its origin is the path. Parts that are longer than `sizes` say are refused
-/// before room is made for them; all else `check_answer` holds against a problem. Throws InputError.
+/// Reads a file with only an answer; its origin is the path. Refuses parts longer than `sizes` before memory is
+/// allocated; check_answer() compares the rest with a problem. Throws InputError.
 SolverAnswer read_answer_file(const std::string& path, const AnswerSizes& sizes = {});
 
 /// Whether a file begins like one for read_problem_file, and not like records in CSV or JSON lines: HDF5, MatrixMarket,

@@ -72,20 +72,12 @@ class RoundedProblem {
     p.G = matrix("G", p.f.size(), p.b.size());
   }
 
-  /// One number is the coefficient of all contacts.
   void read_coefficients() {
     ProblemFile& p = read_.problem;
     if (p.form == ProblemForm::complementarity) return;
-    const JsonNode& mu = json_.need("mu", "a coefficient of friction, or one for each contact");
     const std::size_t components = p.form == ProblemForm::global ? p.w.size() : p.q.size();
-    if (mu.kind == JsonNode::Kind::list) {
-      p.mu = list(mu, "mu");
-      p.dimension = json_.dimension(components, p.mu.size());
-    } else {
-      const double each = number(mu, "mu");
-      p.dimension = json_.dimension(components, std::nullopt);
-      p.mu.assign(p.contacts(), each);
-    }
+    p.mu = json_.coefficients(components, p.dimension,
+                              [&](const JsonNode& x) { return nearest_number(x, false, rounded_); });
   }
 
   /// What a solver solves in place of Coulomb's law.
@@ -142,9 +134,7 @@ class RoundedProblem {
     return json_.at(node, where, [&] { return nearest_number(node, false, rounded_); });
   }
   std::vector<double> list(const JsonNode& node, const std::string& where, bool any = false) {
-    std::vector<double> result;
-    json_.each_number(node, where, [&](const JsonNode& x) { result.push_back(nearest_number(x, any, rounded_)); });
-    return result;
+    return json_.numbers(node, where, [&](const JsonNode& x) { return nearest_number(x, any, rounded_); });
   }
   std::vector<double> vector(const std::string& key) { return list(json_.need(key, "a list of numbers"), key); }
 

@@ -10,7 +10,7 @@ namespace slipproof::imported {
 /// was the plane.
 bool take_known_includes(TaggedFile& file, Mistakes& mistakes);
 
-/// As Gazebo's model has it: level at height 0, mu 100 and mu2 50.
+/// Adds Gazebo's ground plane: level, at height 0, mu 100 and mu2 50.
 void add_ground_plane(Scene& scene);
 
 }  // namespace slipproof::imported

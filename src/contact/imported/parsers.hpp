@@ -4,7 +4,7 @@
 #include "contact/imported/scene.hpp"
 #include "contact/imported/tags.hpp"
 
-/// What the module exports: reads a file whose first tag is that of a format. Throws nothing.
+/// The function that the module exports: reads a file in the format of its first tag. Does not throw.
 extern "C" void slipproof_parse_scene(slipproof::imported::TaggedFile* file, slipproof::imported::Scene* scene,
                                       slipproof::Mistakes* mistakes);
 

@@ -8,7 +8,8 @@
 
 namespace slipproof::imported {
 
-/// Bodies that are fixed to each other are one. Throws InputError for what is not read, with name and place.
+/// Reads a scene of bodies; merges bodies that are fixed to each other. Throws InputError for unsupported elements,
+/// with name and place.
 Scene read_scene_of_bodies(const std::filesystem::path& file);
 Scene parse_scene_of_bodies(std::string text, const std::string& file);
 

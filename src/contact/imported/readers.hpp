@@ -9,12 +9,12 @@
 
 namespace slipproof::imported {
 
-/// Of one format each. Where its parser is not built in, a mistake that says so.
+/// Readers, one for each format. Report a mistake if the parser of the format is not built in.
 void read_urdf(TaggedFile& file, Scene& scene, Mistakes& mistakes);
 void read_sdf(TaggedFile& file, Scene& scene, Mistakes& mistakes);
 void read_mjcf(TaggedFile& file, Scene& scene, Mistakes& mistakes);
 
-/// The turn, told where it is not the file's.
+/// The rotation as a rational one; adds a note if it differs from the file's.
 Turn turn_of(const std::array<double, 4>& quaternion, const std::string& whose, Scene& scene);
 
 }  // namespace slipproof::imported

@@ -11,18 +11,19 @@
 
 namespace slipproof::imported {
 
-/// What a body is made of where it touches. In its own axes a cylinder and a capsule lie along z.
+/// A collision shape of a body. Cylinders and capsules lie along the z axis of the shape.
 struct Shape {
   enum class Kind : std::uint8_t { box, sphere, cylinder, capsule, plane };
   Kind kind = Kind::box;
   std::string name;
-  Vector half;               ///< of a box: half of its edges
-  Rational radius = 0;       ///< of the round ones
-  Rational half_length = 0;  ///< of a cylinder, and of a capsule without its ends
+  Vector half;               ///< half edges of a box
+  Rational radius = 0;       ///< radius of a round shape
+  Rational half_length = 0;  ///< half length of a cylinder, and of a capsule without its caps
   Pose pose;                 ///< in the scene
-  /// Of friction; in SDF along two directions, where the greater counts only if it is the pair's as well.
+  /// Coefficients of friction; SDF has one for each of two directions, and the greater counts only if it is also that
+  /// of the pair.
   std::optional<Rational> mu, greater_mu;
-  /// Two shapes touch where the first's kinds have a bit of what the second meets, or the other way round.
+  /// Bit masks: two shapes can touch if `kinds` of one has a bit of `meets` of the other.
   unsigned kinds = 1, meets = 1;
   Place place;
 };
@@ -42,7 +43,7 @@ inline std::vector<Body> the_ground() {
   return bodies;
 }
 
-/// What holds two bodies to each other, and where.
+/// A joint between two bodies, and its place.
 struct Joint {
   enum class Kind : std::uint8_t { fixed, hinge, slide };
   Kind kind = Kind::fixed;
@@ -53,7 +54,7 @@ struct Joint {
   Place place;
 };
 
-/// How the format's engine makes one coefficient of friction of two.
+/// The rule by which the format's engine combines two coefficients of friction.
 enum class FrictionRule : std::uint8_t { none, least, greatest };
 
 struct Scene {
@@ -65,8 +66,8 @@ struct Scene {
   std::vector<std::string> import_notes;  ///< sentences about what was left out, moved or turned
 };
 
-/// Makes one body of those that are held fixed to each other, and of those fixed to the ground the ground. Bodies that
-/// are left without a mass become mistakes.
+/// Merges bodies that are fixed to each other, and bodies fixed to the ground with the ground. Reports bodies that
+/// remain without a mass.
 void join_fixed(Scene& scene, Mistakes& mistakes);
 
 /// The coefficient where two shapes touch: `given`, or by the format's rule. Nothing where neither says one, or the two
@@ -74,8 +75,8 @@ void join_fixed(Scene& scene, Mistakes& mistakes);
 std::optional<Rational> friction_between(const Scene& scene, const Shape& a, const Shape& b,
                                          const std::optional<Rational>& given);
 
-/// Whether a joint holds two bodies that move to each other: then their shapes do not touch, as in the formats'
-/// engines, in which what is held to the ground may touch it.
+/// True if a joint connects two moving bodies. Their shapes then do not touch, as in the engines of the formats; a body
+/// joined to the ground may touch it.
 bool are_joined(const Scene& scene, std::size_t a, std::size_t b);
 bool may_touch(const Shape& a, const Shape& b);
 

@@ -57,20 +57,20 @@ struct Inertia {
   Rational between(const Vector& a, const Vector& b) const;
 };
 Inertia operator+(const Inertia& a, const Inertia& b);
-/// As seen from axes in which the old ones are these.
+/// The inertia in other axes; `turn` gives the old axes in the new ones.
 Inertia turned(const Inertia& inertia, const Turn& turn);
-/// Of a point mass at r.
+/// The inertia of a point mass at r.
 Inertia of_point(const Rational& mass, const Vector& r);
 
-/// The rational that the shortest decimal of a binary64 writes: what a file says, up to 15 digits. Throws NumberError
-/// for what is not finite.
+/// The rational value of the shortest decimal of a binary64, which recovers a number of up to 15 digits in a file.
+/// Throws NumberError for NaN and infinities.
 Rational written(double x);
-/// The same with 15 digits, of a number that a program computed from what a file says, with the error of its last bit.
+/// The same with 15 digits, for a number that a program computed from the file with an error in the last bit.
 Rational computed(double x);
 
-/// A turn by a quaternion (w, x, y, z) of any length but 0: exact for right angles up to 5e-6, which is how they are
-/// written in decimals, else the simplest ones within 1e-10. `error` is how far it is from the quaternion's at most,
-/// about, in radians, where that is more than rounding.
+/// A rational rotation near that of a quaternion (w, x, y, z) of any length but 0. Angles within 5e-6 of right angles,
+/// as decimals give them, become exact; others become the simplest rotation within 1e-10. `error` is about the largest
+/// deviation in radians, if it exceeds rounding.
 struct RationalTurn {
   Turn turn;
   double error = 0;
@@ -79,7 +79,7 @@ RationalTurn rational_turn(const std::array<double, 4>& quaternion);
 
 /// The square root, where it is rational.
 std::optional<Rational> rational_root(const Rational& x);
-/// The vector over its length, where that is rational and not 0.
+/// The unit vector, if the length is rational and not 0.
 std::optional<Vector> direction_of(const Vector& v);
 
 }  // namespace slipproof::imported

@@ -14,13 +14,14 @@ namespace slipproof::imported {
 
 /// The tags of one format.
 struct Tags {
-  std::vector<std::string_view> read;      ///< and what is in them is looked at
-  std::vector<std::string_view> left_out;  ///< with all that is in them: pictures, sensors, names of materials
+  std::vector<std::string_view> read;  ///< tags that are read, with their contents
+  /// Tags that are ignored, with their contents: pictures, sensors, names of materials.
+  std::vector<std::string_view> left_out;
 };
 
 class TaggedFile {
  public:
-  /// Throws InputError for what is no XML.
+  /// Parses a text. Throws InputError if it is not XML.
   TaggedFile(std::string text, std::string file);
 
   pugi::xml_node root() const { return document_.document_element(); }
@@ -32,7 +33,7 @@ class TaggedFile {
   std::vector<std::string> check(const Tags& tags, Mistakes& mistakes);
 
   Place place(const pugi::xml_node& node) const;
-  /// Of the first tag of this kind with this name, or of the file's beginning.
+  /// The place of the first tag of this kind with this name; the beginning of the file if there is none.
   Place place(std::string_view tag, std::string_view name) const;
   /// The document as it is now.
   std::string rest() const;

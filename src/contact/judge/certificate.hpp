@@ -8,8 +8,8 @@
 
 namespace slipproof {
 
-/// The certificate of what was found, whole; empty where nothing is proved that has one (an invalid answer). Linear in
-/// the problem's entries and those of the blocks' inverses.
+/// The text of the certificate for a judgement; empty if the verdict has none (an invalid answer). Linear in the
+/// entries of the problem and of the blocks' inverses.
 std::string contact_certificate(const MixedProblem& problem, const ContactJudgement& judgement);
 
 }  // namespace slipproof

@@ -9,11 +9,11 @@
 namespace slipproof {
 
 struct FindOptions {
-  int sweeps = 400;                       ///< of the iteration over contacts
+  int sweeps = 400;                       ///< sweeps over all contacts
   std::size_t largest = 3000;             ///< free unknowns that depend on each other, which are eliminated densely
-  std::size_t most_entries = 20'000'000;  ///< of the Delassus matrix that remains
+  std::size_t most_entries = 20'000'000;  ///< largest number of entries of the Delassus matrix
   std::size_t neighbours = 200;           ///< modes that are tried around a solution
-  std::vector<double> start = {};  ///< where the iteration begins: x of the problem's size; empty: without forces
+  std::vector<double> start = {};         ///< initial x, of the problem's size; empty: no forces
 };
 
 /// A start for enclose_solution: contacts are solved one after the other, each for itself, until they agree (a

@@ -21,10 +21,10 @@
 namespace slipproof {
 
 struct ContactJudgeOptions {
-  /// On the error of the answer (sizes.hpp) where a solution is known, else on its backward error.
+  /// Bound on the error of the answer (sizes.hpp) if a solution is known, otherwise on its backward error.
   double tolerance = contact_tolerance;
-  /// What is near: a solution within this radius (without it, within `contact_near` of the largest force), and none
-  /// where this is asked.
+  /// Requested radius of solutions that count as near. Without it, `contact_near` times the largest force, and absence
+  /// of solutions is not examined.
   std::optional<double> within;
   bool all = false;     ///< find all solutions, in space as well, with proof (all_in_space.hpp)
   bool refine = false;  ///< look for a solution near the answer even if that is wrong
@@ -35,26 +35,26 @@ struct ContactJudgeOptions {
 
 /// A search for other solutions in modes whose equations are linear.
 struct LinearSearch {
-  Work modes = 0;  ///< how many there are, endless if more than that
+  Work modes = 0;  ///< the number of modes; unlimited if it overflows
   bool tried = false;
 };
 
 struct ContactJudgement {
   ContactVerdict verdict = ContactVerdict::invalid;
-  std::string reason;                    ///< why nothing stronger is proved; what is invalid
-  std::vector<std::size_t> contacts;     ///< that the reason is about, from 0
+  std::string reason;                    ///< why nothing stronger is proved; for an invalid answer, its mistake
+  std::vector<std::size_t> contacts;     ///< contacts that the reason concerns, from 0
   FrictionLaw law = FrictionLaw::cone;   ///< of the problem
   std::vector<double> x;                 ///< the answer, free unknowns included
   std::optional<Residual> residual;      ///< of every finite answer
   std::optional<Exclusion> exclusion;    ///< of Coulomb's law
-  double velocity_error = 0;             ///< where the answer has velocities: their largest distance from A x + c
+  double velocity_error = 0;             ///< largest distance of given velocities from A x + c
   std::optional<FrictionLaw> right_for;  ///< wrong for the cone, and within the tolerance for this pyramid
   std::optional<Enclosure> enclosure;
-  double rho = 0;                      ///< of the enclosure, from the answer
-  double eta = 0;                      ///< of its velocities, from the answer's, where it was found along a path
-  std::size_t undetermined = 0;        ///< forces that nothing determines: they are held at the answer's values
-  std::optional<OpenForces> open;      ///< of an answer that is right: what its velocities leave open
-  double error = 0;                    ///< where a solution is known: upper bound, each kind by its own size
+  double rho = 0;                  ///< largest distance of the enclosure from the answer
+  double eta = 0;                  ///< the same of velocities, if it was found along a path
+  std::size_t undetermined = 0;    ///< forces that nothing determines: they are held at the answer's values
+  std::optional<OpenForces> open;  ///< of an answer that is right: what its velocities leave open
+  double error = 0;  ///< if a solution is known: upper bound on the error, relative to the size of each kind
   std::optional<EverySolution> every;  ///< of convex laws
   std::vector<Rational> exact;         ///< a solution of the problem, rho from the answer, where one was computed
   std::optional<Enclosure> other;      ///< a solution elsewhere: there are several
@@ -62,14 +62,14 @@ struct ContactJudgement {
   std::optional<LinearSearch> linear_modes;
   std::optional<UniqueProof> unique_by;      ///< why there is no other; without it all modes were tried
   std::vector<Rational> multipliers;         ///< a proof that there is no solution at all (no_solution.hpp)
-  std::vector<std::string> left_out;         ///< what was looked for beyond that, and failed: what it is, and why
-  std::optional<AllSolutions> all;           ///< where all are known, the nearest of each family (small.hpp)
+  std::vector<std::string> left_out;         ///< stronger results that were not reached, each with the reason
+  std::optional<AllSolutions> all;           ///< if all are known, the nearest of each family (small.hpp)
   std::shared_ptr<const SolutionTree> tree;  ///< the proof that `all` are all, where it was asked for
-  std::optional<OwnMode> own;                ///< then, of an answer that is near none of them
+  std::optional<OwnMode> own;                ///< the same for an answer that is near none of them
 
   /// Whether a solution within rho is known.
   bool has_solution() const { return enclosure || !exact.empty() || (every && every->unique()); }
-  /// Of a certified answer: whether it is proved that there is no other solution.
+  /// True if the answer is certified and it is proved that there is no other solution.
   bool others_excluded() const { return verdict == ContactVerdict::unique; }
   /// Within which no solution is; 0 where nothing is known of it.
   double excluded() const { return std::max(exclusion ? exclusion->radius : 0, every ? every->apart : 0); }

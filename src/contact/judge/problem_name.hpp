@@ -7,7 +7,7 @@
 
 namespace slipproof {
 
-/// The same text for the same problem, however it was written down. Linear in the problem's entries.
+/// A canonical text, equal for equal problems in any file format. Linear in the problem's entries.
 std::string canonical_form(const MixedProblem& problem);
 
 /// SHA-256 of the canonical form, in hexadecimal.

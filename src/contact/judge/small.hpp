@@ -26,14 +26,14 @@ struct ProblemAnswer {
 struct SmallJudgement {
   /// unique, ambiguous, inaccurate, wrong, no_solution or undecided
   ContactVerdict verdict = ContactVerdict::undecided;
-  /// Those of no family first. If trying all modes is beyond the effort, those of the answer's mode.
+  /// Solutions of no family first. If trying all modes is beyond the effort, only those of the answer's mode.
   AllSolutions all;
   std::vector<ContactContinuum> continua;      ///< the families in `all`
   std::optional<std::size_t> nearest;          ///< in `all`, to the answer; of the answer's mode if it claims one
   Distance distance;                           ///< of that
   std::optional<EveryLoad::Reason> unique_by;  ///< the theorem by which no other mode was tried
   std::optional<OwnMode> own;                  ///< if no solution is near
-  Work needed = 0;                             ///< where not all are known: what that would take, endless if unknown
+  Work needed = 0;  ///< if not all solutions are known: the work that it would take; unlimited if unknown
 
   /// The solution that is near enough to say that the answer means it; null if there is none.
   const FoundSolution* meant() const;

@@ -13,11 +13,11 @@ enum class ContactVerdict : std::uint8_t {
   inaccurate,     ///< it solves a problem within the tolerance, but the solution near it is farther away than that
   eps_solution,   ///< it solves a problem within the tolerance; nothing stronger is proved
   solution_within_rho,       ///< an exact solution is within rho of it, and within the tolerance
-  unique,                    ///< and it is the only one there is
+  unique,                    ///< and there is no other solution
   velocities_within_rho,     ///< nothing determines some forces; the velocities of every solution are within eta
   velocities_of_a_solution,  ///< an exact solution's velocities are within eta of it; forces that rounding decides
                              ///< differ
-  none_within_rho,           ///< no exact solution is within the radius that was asked for
+  none_within_rho,           ///< no exact solution within the requested radius
   no_solution,               ///< the problem has none at all
   ambiguous,                 ///< it is one of several
   undecided                  ///< no answer was given, and none was found

@@ -10,7 +10,7 @@
 
 namespace slipproof {
 
-/// Numbers over one denominator, which is positive. Lowest terms are not asked for.
+/// Numbers with a common positive denominator, not necessarily in lowest terms.
 struct ExactVector {
   std::vector<Integer> numerators;
   Integer denominator = 1;

@@ -23,7 +23,7 @@ constexpr double rounded_up(double x, std::size_t n) {
   return x * (1 + gamma_of(n));
 }
 
-/// The exponent of the power of 2 that brings a size near 1; 0 for 0 and what is not finite.
+/// The exponent of the power of 2 that scales a size to about 1; 0 for 0, NaN and infinities.
 inline int exponent_to_one(double size) {
   return size > 0 && std::isfinite(size) ? -std::ilogb(size) : 0;
 }

@@ -13,7 +13,7 @@ namespace slipproof {
 /// Approximate solutions of sparse systems: elimination with pivots in an order that keeps the factors sparse.
 class SparseFactor {
  public:
-  /// Nothing where the elimination breaks down.
+  /// Factors a matrix; nothing if the elimination breaks down.
   static std::optional<SparseFactor> of(const SparseMatrix& A);
   SparseFactor(SparseFactor&&) noexcept;
   SparseFactor& operator=(SparseFactor&&) noexcept;
@@ -28,20 +28,19 @@ class SparseFactor {
   std::unique_ptr<Factors> factors_;
 };
 
-/// Roughly the least singular value of an n x n matrix, by inverse iteration; 0 where that breaks down.
+/// Estimates the least singular value of an n x n matrix by inverse iteration; 0 if that breaks down.
 double guessed_singular_value(std::size_t n, const SparseFactor& factor);
 
-/// Some s > 0 with |A x| >= s |x| for all x, in the Euclidean norm; nothing where none was found, as for matrices whose
-/// condition exceeds about 10^12. Rows and columns should have norms near 1.
+/// A lower bound s > 0 on the least singular value: |A x| >= s |x| for all x, in the Euclidean norm. Nothing if none
+/// was found, as for matrices with a condition number above about 10^12. Rows and columns should have norms near 1.
 ///
 /// Inverse iteration guesses the least singular value. Cholesky's method in numbers of 106 bits then shows that A^T A -
-/// t I has no negative eigenvalue: where it runs to its end, what it was given is within gamma_(n+1) trace(A^T A) of a
-/// semidefinite matrix (Demmel 1989; Rump 2006), gamma_k = k u / (1 - k u). So A^T A, which was rounded by as much at
-/// most, has no eigenvalue below t - 2 gamma trace. The time is that of a sparse factorisation of A^T A, times 20.
+/// t I has no negative eigenvalue: if it completes, its input is within gamma_(n+1) trace(A^T A) of a semidefinite
+/// matrix (Demmel 1989; Rump 2006), gamma_k = k u / (1 - k u). A^T A was rounded by at most as much, so it has no
+/// eigenvalue below t - 2 gamma trace. The time is that of a sparse factorisation of A^T A, times 20.
 std::optional<double> least_singular_value(const SparseMatrix& A, const SparseFactor& factor);
 
-/// The same with what shows it: A^T A - 2 value^2 I is L L^T, as far as 106 bits tell. L is in the order of A's
-/// columns.
+/// The bound with its proof: A^T A - 2 value^2 I is L L^T to a precision of 106 bits. L is in the order of A's columns.
 struct SingularValueProof {
   struct Entry {
     std::size_t row, column;

@@ -13,7 +13,7 @@ inline Rational power_of_two(int exponent) {
   return exponent >= 0 ? Rational(std::move(power)) : Rational(Integer(1), power);
 }
 
-/// x 2^digits without what is behind its point.
+/// The integer part of x 2^digits.
 inline Integer scaled_truncation(const Rational& x, int digits) {
   const Rational scaled = x * power_of_two(digits);
   return numerator(scaled) / denominator(scaled);

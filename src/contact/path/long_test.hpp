@@ -1,4 +1,4 @@
-// One block's equations in long numbers: what is dependent, and Krawczyk's test without rounding.
+// The equations of a block in long numbers: dependent ones, and Krawczyk's test without rounding.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace slipproof {
 
-/// Equations and unknowns that are left out so that the others are independent as far as 106 bits tell; those that are
-/// not linear are kept first.
+/// Equations and unknowns to leave out so that the others are independent to a precision of 106 bits. Prefers to keep
+/// nonlinear equations.
 DependentPart dependent_in_long_numbers(const ModeSystem& system, const SystemBlock& block,
                                         std::span<const Rational> z);
 

@@ -1,4 +1,4 @@
-// A point of a path of solutions: of problems that lead from one near the answer's to the one that is asked about
+// A point on a path of solutions, through problems that lead from one near the answer to the given one
 // (contact/MATHEMATICS.md).
 #pragma once
 
@@ -15,7 +15,7 @@ namespace slipproof {
 using LongVector = Eigen::Matrix<DoubleDouble, Eigen::Dynamic, 1>;
 using LongMatrix = Eigen::Matrix<DoubleDouble, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// What keeps a point in its mode: a quantity that is not negative there.
+/// A condition of the mode of a point: a quantity that must not be negative.
 struct Margin {
   enum class Kind : std::uint8_t {
     end,    ///< t, of the path
@@ -36,14 +36,14 @@ struct Margin {
 /// a contact slides in space, and last of t. The problem must outlive it.
 class PathPoint {
  public:
-  /// At t = 1, in what `x` is nearest to that satisfies the law (residual.hpp), in the interior of its mode.
-  /// Each `attempt` has other a.
+  /// Starts at t = 1, at the point nearest to `x` that satisfies the law (residual.hpp), in the interior of its mode.
+  /// Each `attempt` uses another a.
   PathPoint(const MixedProblem& problem, std::span<const double> x, unsigned attempt);
 
   /// The number of unknowns apart from t, and of equations.
   Eigen::Index unknowns() const { return unknowns_; }
-  /// How far the equations are from 0; if `derivative` is given, it gets their rows, with a column for t and a last row
-  /// that is left.
+  /// The residuals of the equations. If `derivative` is given, sets its rows, with a column for t; leaves its last row
+  /// unchanged.
   LongVector equations(LongMatrix* derivative = nullptr) const;
   void move(const LongVector& step);
   /// The largest of the step's forces, over the largest of x0, of its angles and its part in t.
@@ -52,9 +52,9 @@ class PathPoint {
   std::vector<Margin> margins() const;
   DoubleDouble value(const Margin& margin) const;
   LongVector gradient(const Margin& margin) const;
-  /// The size of what decides about it.
+  /// The natural size of the quantity of a margin, for comparison with its value.
   double scale(const Margin& margin) const;
-  /// Goes into the mode beyond a margin that is 0. Returns what is 0 there, and positive from now on.
+  /// Switches to the mode beyond a margin that is 0. Returns the margin of the new mode that is 0 at this point.
   Margin pass(const Margin& margin);
 
   const DoubleDouble& t() const { return t_; }

@@ -117,7 +117,7 @@ EveryLoad for_every_load(const ContactProblem& problem, Effort& effort) {
 }
 
 EveryLoad for_every_load(const ContactProblem& problem) {
-  Effort effort(ContactSolver::usual_effort);
+  Effort effort(ContactSolver::default_effort);
   return for_every_load(problem, effort);
 }
 

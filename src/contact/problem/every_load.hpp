@@ -1,8 +1,8 @@
-// Whether a contact problem has exactly one solution for every constant q, that is, whatever else pushes the bodies.
+// Decides whether a contact problem has exactly one solution for every constant q, that is, under every load.
 //
-// Let a problem be w = W z + q. In each mode the equations that the mode adds make a matrix. Its determinant, the mode
-// determinant, is that of W with the rows of T replaced by T = -mu N where the mode slips, and those of N and T by N =
-// T = 0 where it lifts. In a linear complementarity problem these are the principal minors of W.
+// Let a problem be w = W z + q. In each mode, W together with the equations of the mode gives a square matrix: the rows
+// of T are replaced by T = -mu N where the mode slips, and those of N and T by N = T = 0 where it lifts. Its
+// determinant is the mode determinant. In a linear complementarity problem these are the principal minors of W.
 //
 // Planar friction, W positive definite, symmetric or not: there is one solution for every q if and only if all mode
 // determinants are positive. (A contact without friction has no stick, as its T is 0.) The solutions are the preimages
@@ -38,13 +38,13 @@ struct EveryLoad {
   enum class Verdict : std::uint8_t {
     unique,       ///< one solution for every q
     at_most_one,  ///< never two w for a q that pushes on the bodies make (every_push.hpp)
-    not_unique,   ///< for some q several, infinitely many, or none
+    not_unique,   ///< for some q there are several, infinitely many, or no solutions
     undecided     ///< W is not positive definite, or there are too many modes and the bound says nothing
   };
   enum class Reason : std::uint8_t {
-    determinants,  ///< all mode determinants are positive; or one is not
+    determinants,  ///< by mode determinants: all are positive, or one is not
     bound,         ///< the sufficient test on mu
-    definite,      ///< of an LCP beyond the effort: W is positive definite
+    definite,      ///< for an LCP beyond the effort: W is positive definite
     no_theorem,    ///< with friction, W is not positive definite
     too_many,      ///< modes
     pairs          ///< of modes have no two solutions that differ, or have them
@@ -54,13 +54,13 @@ struct EveryLoad {
   std::optional<ProblemMode> mode = {};   ///< not_unique: the first one with a determinant that is not positive
   Rational determinant = 0;               ///< of it
   std::optional<ProblemMode> other = {};  ///< not_unique, by pairs: under one q it and `mode` have different w
-  std::vector<Rational> q = {};           ///< by pairs: that q
-  std::size_t undetermined = 0;  ///< by pairs: the dimension of the kernel of W, forces that nothing determines
+  std::vector<Rational> q = {};           ///< by pairs: such a q
+  std::size_t undetermined = 0;  ///< by pairs: the dimension of the kernel of W, that is, of the undetermined forces
 };
 std::string_view name(EveryLoad::Verdict verdict);  ///< `unique`, `not unique`, `undecided`
 std::string_view name(EveryLoad::Reason reason);    ///< `mode determinants`, `bound on mu`, ...
 
-/// Only W and mu count. The problem is one that mistake_in() finds nothing in. Takes an elimination of W for each mode.
+/// Decides it from W and mu. Requires that mistake_in() is empty. Takes an elimination of W for each mode.
 EveryLoad for_every_load(const ContactProblem& problem, Effort& effort);
 EveryLoad for_every_load(const ContactProblem& problem);
 

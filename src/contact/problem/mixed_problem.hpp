@@ -22,10 +22,10 @@ struct MixedProblem {
   std::size_t free = 0, dimension = 3;
   SparseMatrix A;
   std::vector<double> c;
-  std::vector<double> mu;  ///< of each contact; in dimension 1 zeros
+  std::vector<double> mu;  ///< by contact; zeros in dimension 1
   ContactLaw law;
 
-  /// Or a law that is the same here: all without friction, pyramids in the plane.
+  /// True for Coulomb's law, and for laws that are equivalent here: all laws without friction, pyramids in the plane.
   bool is_coulomb() const {
     const bool pyramid = law.kind == FrictionLaw::box || law.kind == FrictionLaw::diamond;
     return law.kind == FrictionLaw::cone || dimension == 1 || (dimension == 2 && pyramid);
@@ -39,7 +39,7 @@ struct MixedProblem {
 /// A problem as files hold it: free unknowns are lambda, or (v, lambda). With the solver's law, compliance and bias.
 /// Linear.
 MixedProblem mixed_problem(const ProblemFile& file);
-/// The same with Coulomb's law, rigid and without bias.
+/// The problem with Coulomb's law, rigid and without bias.
 MixedProblem coulomb_problem(ProblemFile file);
 
 /// A problem without free unknowns in dimension 1 or 2, exactly as it is. Throws NumberError for NaN and infinities.
@@ -51,7 +51,7 @@ struct EliminatedProblem {
   RationalMatrix X;
   std::vector<Rational> y;
 
-  /// All of x.
+  /// The complete x, with the free unknowns for contact forces r.
   std::vector<Rational> with_free(std::vector<Rational> r) const;
 };
 
@@ -63,7 +63,7 @@ std::optional<EliminatedProblem> eliminated(const MixedProblem& problem);
 Rational exact_row(const MixedProblem& problem, std::size_t row, std::span<const double> x);
 Rational exact_row(const MixedProblem& problem, std::size_t row, const std::vector<Rational>& x);
 
-/// All rows.
+/// All rows of A x + c, exactly.
 std::vector<Rational> exact_rows(const MixedProblem& problem, std::span<const double> x);
 
 }  // namespace slipproof

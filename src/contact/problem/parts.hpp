@@ -12,7 +12,7 @@ struct ContactPart {
   std::vector<std::size_t> free, contacts;
 };
 
-/// All parts, each once. About linear in the nonzeros.
+/// All parts of a problem. Nearly linear in the nonzeros.
 std::vector<ContactPart> parts_of(const MixedProblem& problem);
 /// The rows of a part in the whole problem: free ones, then those of its contacts.
 std::vector<std::size_t> rows_of(const MixedProblem& problem, const ContactPart& part);

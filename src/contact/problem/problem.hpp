@@ -29,7 +29,7 @@ struct ContactProblem {
   }
 };
 
-/// What is wrong with the shape or the domain of a problem; empty if nothing is.
+/// Describes a mistake in the sizes or the domain of a problem; empty if there is none.
 std::string mistake_in(const ContactProblem& problem);
 inline constexpr std::size_t max_problem_size = 64;
 
@@ -39,7 +39,7 @@ using ProblemMode = std::vector<ElementState>;
 
 /// `stick/slip+/lift`; of an LCP a letter for each component, the one of z and w that need not be 0: `zwz`.
 std::string name(const ContactProblem& problem, const ProblemMode& mode);
-/// Nothing unless exactly as written by name().
+/// Reads a mode as name() writes it; nothing for any other text.
 std::optional<ProblemMode> parse_mode(const ContactProblem& problem, std::string_view text);
 
 /// `N1 >= 0`, `|T1| <= mu N1`, `slip2 <= 0`, `gap2 >= 0`; `z3 >= 0`, `w3 >= 0`. Contacts and components count from 1.
@@ -48,7 +48,7 @@ std::string name(const ContactProblem& problem, const ViolatedCondition& conditi
 /// W z + q.
 std::vector<Rational> accelerations(const ContactProblem& problem, const std::vector<Rational>& z);
 
-/// What the kernel solves: the unknowns are z, and a motion is a z.
+/// The problem for the kernel; its unknowns are z, so that a motion is a z.
 FrictionProblem friction_problem(const ContactProblem& problem);
 
 }  // namespace slipproof

@@ -84,7 +84,7 @@ std::optional<ContactSolutions> ContactSolver::all(Effort& effort) const {
 }
 
 std::optional<ContactSolutions> ContactSolver::all() const {
-  Effort effort(usual_effort);
+  Effort effort(default_effort);
   return all(effort);
 }
 
@@ -126,7 +126,7 @@ std::optional<ContactSolution> ContactSolver::unique_solution(ProblemMode mode, 
 }
 
 std::optional<ContactSolution> ContactSolver::unique_solution(ProblemMode start) const {
-  Effort effort(usual_effort);
+  Effort effort(default_effort);
   return unique_solution(std::move(start), effort);
 }
 

@@ -10,7 +10,7 @@
 
 namespace slipproof {
 
-/// One solution, with every mode that gives it.
+/// A solution, with all modes that give it.
 struct ContactSolution {
   std::vector<ProblemMode> modes;
   bool strict = false;  ///< every condition of one of its modes holds strictly
@@ -22,14 +22,14 @@ struct ContactContinuum {
   ProblemMode mode;
   std::vector<Rational> base;
   RationalMatrix directions;
-  std::vector<AffineForm> conditions;  ///< of t; they have solutions, more than one
+  std::vector<AffineForm> conditions;  ///< conditions on t, with more than one solution
 
   std::vector<Rational> at(const std::vector<Rational>& t) const;
   /// Two solutions that differ. Throws TooMuchWork.
   std::array<std::vector<Rational>, 2> two(Effort& effort) const;
 };
 
-/// What one mode gives.
+/// The outcome of a mode.
 struct ModeOutcome {
   enum class Kind {
     solution,      ///< one solution
@@ -56,8 +56,8 @@ struct ContactSolutions {
 /// checked by mistake_in() and must outlive it; immutable once made.
 class ContactSolver {
  public:
-  /// What is done unless more is asked for: a second or two.
-  static constexpr Work usual_effort = 1'500'000'000;
+  /// The default effort: one or two seconds.
+  static constexpr Work default_effort = 1'500'000'000;
 
   explicit ContactSolver(const ContactProblem& problem);
   ContactSolver(const ContactSolver&) = delete;
@@ -65,7 +65,7 @@ class ContactSolver {
 
   /// Solves one mode. Throws TooMuchWork.
   ModeOutcome solve(const ProblemMode& mode, Effort& effort) const;
-  /// All solutions, by trying each mode; nothing where that is beyond the effort.
+  /// All solutions, by trying each mode; nothing if that exceeds the effort.
   std::optional<ContactSolutions> all(Effort& effort) const;
   std::optional<ContactSolutions> all() const;
   /// The one solution of an LCP whose matrix is positive definite (its symmetric part, as W need not be symmetric),
@@ -75,7 +75,7 @@ class ContactSolver {
 
   /// The number of modes; endless if it is more than that.
   Work modes() const;
-  /// What all() takes, where few modes are singular.
+  /// The work of all() if few modes are singular.
   Work work_of_all() const;
 
  private:

@@ -19,9 +19,9 @@
 
 namespace slipproof {
 
-/// How far an answer is from a solution: largest errors of a component.
+/// The distance of an answer from a solution: the largest errors of a component.
 struct Distance {
-  Rational relative;  ///< as above: what a tolerance is held against
+  Rational relative;  ///< relative error as above, to be compared with a tolerance
   Rational scaled;    ///< relative to the yardstick of its kind, if that is larger: separates inaccurate from wrong
 };
 

@@ -15,7 +15,7 @@ class ConeProgram {
  public:
   struct Cone {
     Eigen::Index first = 0, size = 1;  ///< components of x
-    double mu = 0;                     ///< of more than one component
+    double mu = 0;                     ///< coefficient for more than one component
   };
 
   /// The columns of N are orthonormal.

@@ -14,15 +14,15 @@ struct ForceSet {
   enum class Kind : std::uint8_t { none, ray, cone };
   Kind kind = Kind::none;
   Rational mu;
-  std::vector<Rational> slip;  ///< of a ray: a unit vector; empty if mu or the dimension leave no friction
-  Rational spread;             ///< of a ray: upper bound on |r_T + mu r_N slip| / r_N
+  std::vector<Rational> slip;  ///< direction of slip for a ray, a unit vector; empty without friction
+  Rational spread;             ///< for a ray: upper bound on |r_T + mu r_N slip| / r_N
 
   /// An upper bound on -z . r / r_N over its forces, at least 0: what z lacks of the dual cone.
   Rational lack(std::span<const Rational> z) const;
 };
 
-/// For each contact, at all velocities that are within `change` > 0 of `w` in each component. The law is Coulomb's or
-/// the associated one.
+/// For each contact, the set of forces that the law allows at velocities within `change` > 0 of `w` in each component.
+/// The law must be Coulomb's or the associated one.
 std::vector<ForceSet> force_sets(const MixedProblem& problem, std::span<const Rational> w, double change);
 
 }  // namespace slipproof

@@ -17,14 +17,14 @@ namespace slipproof {
 
 struct Compliance {
   double stiffness_ratio = 1;  ///< r > 0, of the tangential to the normal stiffness
-  double damping = 0.1;        ///< of critical damping, >= 0, of each contact by itself
-  double rise = 0;             ///< periods in which the load comes on, >= 0; 0: at once
+  double damping = 0.1;        ///< fraction of critical damping of each contact by itself, >= 0
+  double rise = 0;             ///< number of periods over which the load rises, >= 0; 0: immediately
 };
 
-/// One run, step by step. Starts where the springs carry what pushes without the load.
+/// A simulation, step by step. Starts in the equilibrium of the springs without the load.
 class CompliantMotion {
  public:
-  /// Steps are so many parts of the fastest vibration's radian.
+  /// The number of time steps in one radian of the fastest vibration.
   static constexpr double usual_step = 0.1;
 
   /// Throws std::invalid_argument, with a message for people, where the bodies do not stay at rest without the load,
@@ -35,7 +35,8 @@ class CompliantMotion {
   double periods() const { return time_ / period_; }
   double time() const { return time_; }
 
-  /// In the order of the problem: gap and slip, N and T of each contact. Displacements are in units of force, as k = 1.
+  /// Displacements (gap, slip) or forces (N, T) of each contact, in the order of the problem. Displacements are in
+  /// units of force, since k = 1.
   const std::vector<double>& displacement() const { return displacement_; }
   const std::vector<double>& velocity() const { return velocity_; }
   const std::vector<double>& forces() const { return forces_; }

@@ -7,17 +7,17 @@
 namespace slipproof {
 
 struct LoadedContacts {
-  ContactProblem problem;  ///< with the load
+  ContactProblem problem;  ///< the problem, with the load
   /// q without the load; 0 for a mechanism without a load, where everything that pushes is its load
   std::vector<Rational> rest;
 };
 
-/// At the scene's load. Throws std::invalid_argument, with a message for people, where the scene gives
-/// no load that it could, and where the contacts are none that can be simulated: contacts from rest with one
-/// coefficient of friction each, whose Delassus matrix is symmetric; NoValue where a coefficient has no value.
+/// The contacts of a scene at its load. Throws std::invalid_argument, with a message for users, if the scene lacks a
+/// load, or if its contacts cannot be simulated; these must start from rest, have one coefficient of friction each, and
+/// a symmetric Delassus matrix. Throws NoValue if a coefficient has no value.
 LoadedContacts loaded_contacts(const MechanismScene& scene);
 
-/// As the simulation has them: in binary64.
+/// Numbers rounded to binary64, as the simulation uses them.
 std::vector<double> rounded(const std::vector<Rational>& numbers);
 
 }  // namespace slipproof

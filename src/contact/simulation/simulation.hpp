@@ -13,17 +13,17 @@ namespace slipproof {
 
 /// The second half of a run, in which the load is fully applied.
 struct SeenMotion {
-  double periods = 0;                 ///< how long, with the first half
+  double periods = 0;                 ///< duration, including the first half
   std::vector<double> accelerations;  ///< means of gap and slip of each contact
   std::vector<double> forces;         ///< means of N and T
-  ProblemMode mode;                   ///< in which the contacts were for most of the time
-  double share = 0;                   ///< for how much of it
+  ProblemMode mode;                   ///< the mode in which the contacts were longest
+  double share = 0;                   ///< fraction of the time in that mode
   std::optional<std::size_t> motion;  ///< the exact motion that these accelerations are close to
 };
 
 struct SimulatedRun {
   Compliance compliance;
-  std::vector<SeenMotion> seen;  ///< one for each of `horizons`
+  std::vector<SeenMotion> seen;  ///< by horizon
 };
 
 struct Simulation {

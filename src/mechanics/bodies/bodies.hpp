@@ -24,17 +24,17 @@ struct PlacedPair {
   explicit operator bool() const { return x && y; }
 };
 
-/// One outline of a body, in its axes.
+/// An outline of a body, in the axes of the body.
 struct BodyShape {
   enum class Kind : std::uint8_t { polygon, line, box, circle };
   Kind kind = Kind::polygon;
-  std::vector<PlacedPair> points;          ///< of a polygon or a line; the centre of a box or a circle, if given
-  PlacedExpression width, height, radius;  ///< of a box; of a circle
+  std::vector<PlacedPair> points;  ///< vertices of a polygon or a line; the centre of a box or a circle, if given
+  PlacedExpression width, height, radius;  ///< width and height of a box; radius of a circle
   Place place;
 };
 
 struct Body {
-  /// What an unknown acceleration is called, and whether that counts the other way.
+  /// The name of an unknown acceleration, and whether it counts in the opposite direction.
   struct Unknown {
     std::string symbol;
     bool negated = false;
@@ -43,12 +43,12 @@ struct Body {
   std::string name;
   PlacedExpression mass, inertia;  ///< null: its motion, or its turning, is prescribed
   PlacedPair at;                   ///< the centre of mass; the origin if left out
-  PlacedExpression cosine, sine;   ///< of how its axes are turned; null: along x and y
-  PlacedPair velocity;             ///< of the centre of mass; 0 if left out
+  PlacedExpression cosine, sine;   ///< cosine and sine of the angle of its axes; null: along x and y
+  PlacedPair velocity;             ///< velocity of the centre of mass; 0 if left out
   PlacedExpression spin;
   PlacedPair acceleration;   ///< prescribed, of `at`
   PlacedExpression turning;  ///< prescribed angular acceleration
-  Unknown ax, ay, alpha;     ///< without a symbol where prescribed
+  Unknown ax, ay, alpha;     ///< without a symbol if prescribed
   std::vector<BodyShape> shapes;
   Place place;
 
@@ -63,7 +63,7 @@ struct BodyContact {
   std::size_t contact = 0;  ///< among the mechanism's, which has its name, friction and forces
   std::size_t of = 0, on = ground;
   PlacedPair point;            ///< in the axes of `of`
-  PlacedExpression radius;     ///< of the disc; null: a point
+  PlacedExpression radius;     ///< radius of the disc; null: a point
   PlacedPair normal;           ///< of the line, in the axes of `on`, out of it
   PlacedPair through;          ///< a point of the line, in the axes of `on`
   PlacedPair on_point;         ///< or the centre of the disc on `on`,
@@ -72,7 +72,7 @@ struct BodyContact {
       slip_direction;  ///< where the slip counts positive: along the line; the normal turned clockwise if left out
   PlacedExpression rolling_resistance;  ///< a length
   std::optional<std::size_t> rolling;   ///< its friction element
-  std::string rolling_force;            ///< as the file calls it; empty: the default
+  std::string rolling_force;            ///< the name in the file; empty: the default
   bool state_given = false, well_named = false;
   Place place;
 };
@@ -83,14 +83,15 @@ struct BodyJoint {
   std::string name;
   std::size_t first = 0, second = 0;
   PlacedPair at, to;         ///< in the axes of the first, of the second; `to`: the same place if left out
-  PlacedPair axis;           ///< of a slider, in the axes of the first
-  PlacedExpression length;   ///< of a rod, rope or spring
-  PlacedExpression tension;  ///< of a spring, now
-  PlacedExpression ratio;    ///< of a gear: the second's turning over the first's, relative to the carrier
+  PlacedPair axis;           ///< axis of a slider, in the axes of the first
+  PlacedExpression length;   ///< length of a rod, rope or spring
+  PlacedExpression tension;  ///< present tension of a spring
+  PlacedExpression ratio;    ///< gear: angular velocity of the second over that of the first, relative to the carrier
   std::size_t carrier = ground;
   std::vector<std::size_t> links;      ///< among the mechanism's
-  std::optional<std::size_t> contact;  ///< of a rope or a freewheel
-  /// As the file calls them; empty: the default. Along x, along y, against turning, across the axis, or its only force.
+  std::optional<std::size_t> contact;  ///< contact of a rope or a freewheel
+  /// Names of the forces in the file; empty: the default. Along x, along y, against turning, across the axis, or the
+  /// only force.
   std::array<std::string, 5> force_names;
   bool state_given = false, well_named = false;
   Place place;
@@ -127,7 +128,7 @@ struct BodyTorque {
 };
 
 struct Bodies {
-  PlacedPair gravity;        ///< null: the file says that there is none, or has no masses
+  PlacedPair gravity;        ///< null: the file states that there is none, or has no masses
   std::vector<Body> bodies;  ///< the ground first
   std::vector<BodyContact> contacts;
   std::vector<BodyJoint> joints;

@@ -8,20 +8,20 @@
 
 namespace slipproof {
 
-/// What a scene of bodies says twice, and so must agree: a contact is closed, the ends of a joint meet.
+/// A redundant statement in a scene of bodies, which must be consistent: a contact is closed, the ends of a joint meet.
 struct GeometryFact {
   enum class Kind : std::uint8_t { zero, not_zero, positive, not_negative };
   Kind kind = Kind::zero;
   Expression value;
-  std::string name;  ///< of the assumption, where it does not hold everywhere: `axle-meets`
+  std::string name;  ///< name of the assumption if it does not hold everywhere: `axle-meets`
   std::string what;  ///< "the ends of the joint axle are X apart", with X for the value
   Place place;
 };
 
-/// How an element moves before the motion that is asked about.
+/// The velocities of an element before the motion.
 struct ElementVelocity {
   std::size_t element = 0;  ///< contacts, then friction elements
-  Expression distance;      ///< of a contact; null where it is not known, and of a friction element
+  Expression distance;      ///< distance at a contact; null if unknown, and for a friction element
   Expression opening;       ///< of a contact
   Expression sliding;       ///< null: frictionless
   bool state_given = false;

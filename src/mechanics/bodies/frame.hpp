@@ -10,10 +10,10 @@ namespace slipproof::bodies_in_motion {
 
 /// An expression without its columns, which count in another text than where a derived expression stands; 0 for null.
 Expression unplaced(const PlacedExpression& placed);
-/// 0 for a pair that is left out.
+/// The vector of a pair without places; 0 if it is left out.
 PlanarVector unplaced(const PlacedPair& pair);
 
-/// A body at the instant that is asked about. Accelerations of what is not prescribed are symbols of unknowns.
+/// A body at the instant of the scene. Accelerations that are not prescribed are symbols of unknowns.
 struct Frame {
   PlanarVector at;
   Expression cosine, sine;

@@ -1,5 +1,5 @@
-// Expressions of a mechanism as rational functions of its parameters and angles: whether one is 0 whatever its symbols
-// are, and the root of a square.
+// Expressions of a mechanism as rational functions of its parameters and angles: whether one is identically 0, and the
+// root of a square.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@ namespace slipproof::bodies_in_motion {
 /// polynomials grow too long.
 bool vanishes_identically(const Mechanism& mechanism, const Expression& expression);
 
-/// The root, never negative, where the expression is the square of a rational function of parameters, cosines and
-/// sines: l for (l*c)^2 + (l*s)^2. Nothing where it is none, or where that is not known, for the same reasons as above.
+/// The nonnegative root of an expression that is the square of a rational function of parameters, cosines and sines: l
+/// for (l*c)^2 + (l*s)^2. Nothing if it is not a square, or if that is not known, for the same reasons as above.
 std::optional<Expression> root_of_square(const Mechanism& mechanism, const Expression& square);
 
 }  // namespace slipproof::bodies_in_motion

@@ -9,7 +9,7 @@
 
 namespace slipproof::bodies_in_motion {
 
-/// What pushes a body, contacts and joints aside.
+/// A load on a body: a force or a couple that no contact or joint exerts.
 struct Load {
   PlanarVector force;
   Expression moment;  ///< about its centre of mass

@@ -1,4 +1,4 @@
-// Which signs an expression can have, as far as its symbols' domains and the rules of signs tell.
+// Signs that an expression can have, by the domains of its symbols and the rules of signs.
 #pragma once
 
 #include "mechanics/mechanism/mechanism.hpp"

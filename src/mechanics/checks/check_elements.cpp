@@ -117,20 +117,20 @@ class ElementCheck {
       const FrictionProblem& problem = point.problem;
       return negative_value(limit(problem, element, false) - limit(problem, element, true), problem.load_domain);
     };
-    bool told_static = false, told_kinetic = one, told_above = one;
+    bool static_reported = false, kinetic_reported = one, above_reported = one;
     for (const CheckPoint& point : points_.all()) {
       for (const bool kinetic : {false, true}) {
-        bool& told = kinetic ? told_kinetic : told_static;
-        const auto value = told ? std::nullopt : negative(point.problem, kinetic);
+        bool& reported = kinetic ? kinetic_reported : static_reported;
+        const auto value = reported ? std::nullopt : negative(point.problem, kinetic);
         if (!value) continue;
-        told = true;
+        reported = true;
         const PlacedExpression& placed = kinetic ? in_slip : at_rest;
         const Quantity quantity = [&](const CheckPoint& there) { return negative(there.problem, kinetic); };
         find(placed, "the " + what + " " + in_quotes(to_string(placed.expression)) +
                          " is negative: " + exact_text(*value) + points_.where(point, quantity) + ", expected it >= 0");
       }
-      if (told_above || told_static || told_kinetic || !above(point)) continue;
-      told_above = true;
+      if (above_reported || static_reported || kinetic_reported || !above(point)) continue;
+      above_reported = true;
       find(in_slip, "the kinetic " + what + " " + in_quotes(to_string(in_slip.expression)) + " is above the static " +
                         in_quotes(to_string(at_rest.expression)) + points_.where(point, above) +
                         ", expected [assume] or a domain that forbids it");

@@ -9,10 +9,10 @@
 
 namespace slipproof::mechanism_checks {
 
-/// What units say of a mechanism.
+/// The result of the check of units.
 struct UnitReport {
   std::vector<MechanismFinding> findings;
-  /// For each row of [motion], whether its unit times that of its acceleration shows that no single row is scaled.
+  /// For each row of [motion]: true if its unit times the unit of its acceleration shows that no single row is scaled.
   std::vector<bool> scaled_well;
 };
 
@@ -25,13 +25,13 @@ UnitReport check_units(const Mechanism& mechanism);
 /// and its rows have one scale, by the energy, by units, or because they are coupled. `scaled_well` as above.
 std::vector<MechanismFinding> check_inertia(const CheckPoints& points, const std::vector<bool>& scaled_well);
 
-/// By virtual work the accelerations (gap, slip, zero) depend on the forces (N, S, R) by a symmetric and positive
-/// semidefinite matrix: in a file with [equations], unless it says `reciprocal = false`. Of [motion] it follows from
-/// the inertia.
+/// Checks that the matrix from forces (N, S, R) to accelerations (gap, slip, zero) is symmetric and positive
+/// semidefinite, as virtual work requires. For files with [equations], unless they say `reciprocal = false`; for
+/// [motion] it follows from the inertia.
 std::vector<MechanismFinding> check_reciprocity(const CheckPoints& points);
 
-/// Without the forces of contacts and friction elements, without load and without what pushes, no contact at rest
-/// opens; and where there is gravity, something falls. Bodies whose gravity points up get this warning alone.
+/// Checks that without load, driving forces and the forces of contacts and friction elements no contact at rest opens,
+/// and that something falls if there is gravity. Bodies whose gravity points up get only this warning.
 std::vector<MechanismFinding> check_gravity(const CheckPoints& points);
 
 /// Limits and coefficients of friction that are negative, kinetic ones above static ones, motions without an
@@ -42,14 +42,14 @@ std::vector<MechanismFinding> check_elements(const CheckPoints& points);
 /// shift of the axes, and a factor for each contact, they are those of points of a rigid body.
 std::vector<MechanismFinding> check_geometry(const CheckPoints& points);
 
-/// Of bodies: contacts at one place, normals into the wrong body, pins and forces beside their bodies, gravity along
-/// the surface, outlines in each other.
+/// Checks the geometry of bodies: contacts at one place, normals into the wrong body, pins and forces outside their
+/// bodies, gravity along the surface, overlapping outlines.
 std::vector<MechanismFinding> check_drawing(const CheckPoints& points);
 
 /// Parameters, angles, definitions and loads that occur nowhere else.
 std::vector<MechanismFinding> check_names(const Mechanism& mechanism);
 
-/// At the first index at which a symmetric matrix is found not to be positive semidefinite.
+/// The first index at which elimination finds that a symmetric matrix is not positive semidefinite; nothing if it is.
 std::optional<std::size_t> negative_direction(std::vector<std::vector<Rational>> matrix);
 
 inline MechanismFinding warning(MechanismFinding::Check check, Place place, std::string message) {

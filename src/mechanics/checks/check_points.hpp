@@ -17,7 +17,7 @@ struct CheckPoint {
 
 class CheckPoints {
  public:
-  /// So many make a check worth something; no check that solves equations needs more than `enough`.
+  /// A check needs at least `needed` points; checks that solve equations use at most `enough`.
   static constexpr std::size_t needed = 4, enough = 8;
 
   /// The mechanism must outlive the points.

@@ -61,7 +61,7 @@ class UnitCheck {
   void declare(const std::string& symbol, const std::string& text, Place place) {
     if (text.empty()) return;
     if (!has_units()) {
-      if (!std::exchange(told_, true)) {
+      if (!std::exchange(missing_table_reported_, true)) {
         report_.findings.push_back(not_checkable(
             MechanismFinding::Check::units,
             "units: udunits is not installed, which has the table of units (Debian: apt-get install libudunits2-0)",
@@ -255,8 +255,8 @@ class UnitCheck {
   const Mechanism& mechanism_;
   std::map<std::string, InferredUnit> units_;
   UnitReport report_;
-  bool told_ = false;           ///< that there is no table of units
-  std::optional<Unit> common_;  ///< of rows of [motion] times their accelerations
+  bool missing_table_reported_ = false;  ///< whether the missing table of units was reported
+  std::optional<Unit> common_;           ///< of rows of [motion] times their accelerations
   const PlacedExpression* placed_ = nullptr;
 };
 

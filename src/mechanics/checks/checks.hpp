@@ -20,7 +20,7 @@ struct MechanismFinding {
 /// "FILE:LINE:COLUMN: warning: MESSAGE"; "FILE: not checkable: MESSAGE" without a place.
 std::string to_string(const Mechanism& mechanism, const MechanismFinding& finding);
 
-/// All checks, at sampled points of the domain, at least four. A correct mechanism has no checkable finding.
+/// Runs all checks at sampled points of the domain, at least four. A correct mechanism has no finding.
 std::vector<MechanismFinding> check_mechanism(const Mechanism& mechanism);
 
 }  // namespace slipproof

@@ -10,7 +10,7 @@ namespace slipproof::mechanism_checks {
 
 using Matrix = std::vector<std::vector<Rational>>;
 
-/// One row of a linear system: coefficients . x = each of the right-hand sides.
+/// A row of a linear system with several right-hand sides: coefficients . x = right-hand side, for each.
 struct Row {
   std::vector<Rational> coefficients, right;
 };
@@ -24,7 +24,8 @@ struct Pairing {
   std::string name;
   Place place;
 };
-/// In the order of the forces among the unknowns: contacts, friction elements, links.
+/// Pairs each force with its acceleration, in the order of the forces among the unknowns: contacts, friction elements,
+/// links.
 std::vector<Pairing> pairings(const Mechanism& mechanism, const FrictionProblem& problem);
 
 /// The derivatives of the motions by the forces; nothing where the equations do not determine the accelerations.
@@ -33,20 +34,20 @@ std::optional<Matrix> delassus(const Mechanism& mechanism, const FrictionProblem
 
 /// The motion without load and without the forces of contacts and friction elements; links hold.
 struct FreeMotion {
-  std::vector<Rational> gaps;  ///< of each contact
+  std::vector<Rational> gaps;  ///< gap accelerations, by contact
   bool moves = false;          ///< some unknown acceleration is not 0
 };
-/// Nothing where the equations do not determine it.
+/// The motion without contact forces; nothing if the equations do not determine it.
 std::optional<FreeMotion> free_motion(const Mechanism& mechanism, const FrictionProblem& problem);
 
-/// How a mechanism can move before any contact holds it.
+/// The degrees of freedom of a mechanism without contacts.
 struct Freedom {
   std::size_t degrees = 0;               ///< accelerations that the links leave free
   std::vector<std::size_t> said_before;  ///< links that say what those before them say, at every point that was tried
 };
 
-/// By the rank of the links at points of the domain; nothing where no point was found, or where the rank depends on the
-/// point.
+/// Computes the freedom from the rank of the links at points of the domain. Nothing if no point was found, or if the
+/// rank depends on the point.
 std::optional<Freedom> freedom(const Mechanism& mechanism);
 
 }  // namespace slipproof::mechanism_checks

@@ -37,15 +37,15 @@ struct MechanismKinds {
   }
 
   std::size_t count = 0, unknown_accelerations = 0;
-  std::vector<std::size_t> accelerations;  ///< of FrictionProblem::accelerations
-  std::vector<std::size_t> forces;         ///< of FrictionProblem::forces
+  std::vector<std::size_t> accelerations;  ///< indices into FrictionProblem::accelerations
+  std::vector<std::size_t> forces;         ///< indices into FrictionProblem::forces
   std::vector<bool> own_force;             ///< for each force: belongs to no contact, friction element or link
   std::vector<std::size_t> lines;
   /// Accelerations by what the equations apply: of kinds that a contact's gap or slip has, or that have no lever.
   std::vector<Quotient> inertias;
   /// Accelerations in gaps, slips and zeros of another kind: rotations by the lengths of levers.
   std::vector<Quotient> levers;
-  /// All unknowns in all lines of another kind.
+  /// The quotients for all unknowns in all rows of another kind.
   std::vector<Quotient> all;
 };
 

@@ -20,14 +20,14 @@ namespace slipproof::mechanism_checks {
 using Vector = std::array<Rational, 2>;
 
 Rational dot(const Vector& a, const Vector& b);
-Vector turned(const Vector& a);  ///< by a right angle, to the left
+Vector turned(const Vector& a);  ///< turned by a right angle, to the left
 bool vanishes(const Vector& a);
 
 /// A contact at a point, in the axes of the picture.
 struct PlacedContact {
   Vector at, normal, along;          ///< `along` is across the normal and as long
   std::vector<Vector> translations;  ///< the velocities w of one or two translations
-  Vector rotation;                   ///< w of the rotation; 0 if there is none
+  Vector rotation;                   ///< w of the rotation; 0 without rotation
 };
 
 struct RigidMisfit {

@@ -19,16 +19,16 @@ struct ElementKind {
     frictionless,  ///< no S
     limited        ///< no N; |S| <= limit
   };
-  /// Before the motion: at rest, sliding with the sign of its slip, or apart.
+  /// The state before the motion: at rest, sliding with the sign of its slip, or apart.
   enum class Start : std::uint8_t { rest, slides_forward, slides_backward, open };
 
   Law law = Law::coulomb;
   Start start = Start::rest;
   bool bilateral = false;  ///< a guide: N of either sign, and it never opens
   bool lifts = true;       ///< whether `lift` is modelled
-  /// Of a friction element whose limit is one of a contact's force, as rolling resistance is: that contact's number,
-  /// lower than its own. It is `free` where the contact lifts and nowhere else, and pulled where the contact is;
-  /// `bilateral` and `lifts` are those of the contact.
+  /// The contact whose normal force limits this friction element, as for rolling resistance; its index is lower than
+  /// the element's own. The element is `free` exactly if the contact lifts, and pulled if the contact is; `bilateral`
+  /// and `lifts` are those of the contact.
   std::optional<std::size_t> contact = {};
 
   constexpr bool slides() const { return start == Start::slides_forward || start == Start::slides_backward; }
@@ -47,10 +47,10 @@ enum class ElementState : std::uint8_t {
   free                   ///< `free`, of a friction element whose contact lifts: S = 0
 };
 
-inline constexpr std::size_t element_state_count = 9;  ///< of which a table has as many
+inline constexpr std::size_t element_state_count = 9;  ///< length of tables by state
 
 std::string_view name(ElementState state);
-std::string_view name(ElementKind::Start start);  ///< as files write it: `rest`, `slides+`, `slides-`, `open`
+std::string_view name(ElementKind::Start start);  ///< the name in files: `rest`, `slides+`, `slides-`, `open`
 std::optional<ElementState> parse_element_state(std::string_view text);  ///< nothing unless as written by name()
 
 /// +1 for `slip+` and `slip+~`, -1 for `slip-` and `slip-~`, 0 otherwise.
@@ -66,7 +66,7 @@ constexpr bool is_pulled(ElementState state) {
 /// The states of an element, in the order in which modes are enumerated.
 std::vector<ElementState> states(const ElementKind& kind);
 
-/// What a state has of equations and conditions, at most four of each; known when a program is compiled.
+/// A list of at most four equations or conditions of a state, known at compile time.
 template <class Item>
 class StateList {
  public:
@@ -81,9 +81,9 @@ class StateList {
   std::size_t count_ = 0;
 };
 
-/// One equation of a state.
+/// An equation of a state.
 enum class StateEquation : std::uint8_t {
-  gap,              ///< gap = 0
+  gap,              ///< gap = 0 (gap and slip are accelerations)
   slip,             ///< slip = 0
   no_normal,        ///< N = 0
   no_tangent,       ///< S = 0
@@ -92,8 +92,8 @@ enum class StateEquation : std::uint8_t {
 };
 constexpr StateList<StateEquation> equations(const ElementKind& kind, ElementState state);
 
-/// One condition of a state: a quantity that must be >= 0, and > 0 in a strict motion. The limits are mu N for a
-/// contact (mu times -N if it is pulled), and the limit of a friction element.
+/// A condition of a state: a quantity that must be >= 0, and > 0 in a strict motion. The limits are mu N for a contact
+/// (mu times -N if it is pulled), and the limit of a friction element.
 enum class StateCondition : std::uint8_t {
   pushes,          ///< N >= 0
   pulls,           ///< N <= 0
@@ -111,9 +111,9 @@ constexpr StateList<StateCondition> conditions(const ElementKind& kind, ElementS
 using MechanismMode = std::vector<ElementState>;
 /// Whether the first states of a mode go together: a friction element at a contact follows the contact.
 bool go_together(const std::vector<ElementKind>& kinds, const MechanismMode& mode);
-/// How many modes such elements have; may round.
+/// The number of modes of these elements; may be rounded.
 double mode_count(const std::vector<ElementKind>& kinds);
-/// All modes of such elements, in the order of enumeration; those with one of these states for each.
+/// All modes of these elements, in the order of enumeration; or only those with the given states.
 std::vector<MechanismMode> modes_of(const std::vector<ElementKind>& kinds);
 std::vector<MechanismMode> modes_of(const std::vector<ElementKind>& kinds,
                                     const std::vector<std::vector<ElementState>>& states);

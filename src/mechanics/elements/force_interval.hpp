@@ -19,7 +19,7 @@ class ForceInterval {
   /// No value: infinite. An interval with nothing in it becomes nothing().
   static ForceInterval between(std::optional<Rational> lower, bool lower_closed, std::optional<Rational> upper,
                                bool upper_closed);
-  /// The same without its ends.
+  /// An open interval; without a value, an end is infinite.
   static ForceInterval open_between(std::optional<Rational> lower, std::optional<Rational> upper);
 
   bool empty() const { return empty_; }

@@ -10,8 +10,9 @@
 
 namespace slipproof {
 
-/// The forms of one element, in any type with sums. A contact has gap and N, with friction also slip, S and its limits
-/// mu_s N and mu_k N; a friction element has slip, S and its limits. The other members stay empty.
+/// The forms of one element, in any type with sums. `gap` and `slip` are the accelerations of gap and slip. A contact
+/// has gap and N, with friction also slip, S and its limits mu_s N and mu_k N; a friction element has slip, S and its
+/// limits. The other members stay empty.
 template <class Form>
 struct ElementForms {
   ElementKind kind;
@@ -26,11 +27,11 @@ using ProblemElement = ElementForms<AffineForm>;
 struct FrictionProblem {
   std::size_t unknowns = 0;
   std::vector<AffineForm> equations;      ///< vanish in every mode
-  std::vector<AffineForm> accelerations;  ///< what a motion consists of: unknown accelerations, gaps and slips
-  std::vector<AffineForm> forces;         ///< what else is asked for, perhaps undetermined
+  std::vector<AffineForm> accelerations;  ///< of a motion: unknown, gap and slip accelerations
+  std::vector<AffineForm> forces;         ///< further quantities to report; may be undetermined
   std::vector<ProblemElement> elements;
   bool has_load = false;
-  ForceInterval load_domain;  ///< the loads that are asked about
+  ForceInterval load_domain;  ///< the loads to consider
 
   std::size_t load_index() const { return unknowns; }
 };
@@ -63,7 +64,7 @@ Form form_of(const ElementForms<Form>& e, ElementState state, StateEquation equa
   return pulled ? e.tangent + e.kinetic_limit : e.tangent - e.kinetic_limit;
 }
 
-/// What a condition asks to be >= 0.
+/// The form that a condition requires to be >= 0.
 template <class Form>
 Form form_of(const ElementForms<Form>& e, ElementState state, StateCondition condition) {
   const bool pulled = is_pulled(state);

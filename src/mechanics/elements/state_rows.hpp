@@ -8,19 +8,19 @@
 
 namespace slipproof {
 
-/// The states of each element that are asked about.
+/// For each element, the states to consider.
 using StatesOfElements = std::vector<std::vector<ElementState>>;
 
-/// By element and state: each equation of the state is given to equation(rows, form), each condition to
-/// condition(rows, form, which). Empty for states that are not asked about.
+/// The rows of each element and state: calls equation(rows, form) for each equation of the state, and condition(rows,
+/// form, which) for each condition. Rows of other states stay empty.
 template <class StateRows, class AddEquation, class AddCondition>
-std::vector<std::vector<StateRows>> rows_by_state(const FrictionProblem& problem, const StatesOfElements& asked,
+std::vector<std::vector<StateRows>> rows_by_state(const FrictionProblem& problem, const StatesOfElements& states,
                                                   const AddEquation& equation, const AddCondition& condition) {
   std::vector<std::vector<StateRows>> result;
   for (std::size_t i = 0; i < problem.elements.size(); ++i) {
     const ProblemElement& element = problem.elements[i];
     std::vector<StateRows>& of_element = result.emplace_back();
-    for (const ElementState state : asked[i]) {
+    for (const ElementState state : states[i]) {
       const auto number = static_cast<std::size_t>(state);
       if (of_element.size() <= number) of_element.resize(number + 1);
       StateRows& rows = of_element[number];

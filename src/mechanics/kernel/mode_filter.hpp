@@ -16,7 +16,7 @@ namespace slipproof {
 
 class ModeFilter {
  public:
-  /// At a load, or for all of the domain; modes of these states.
+  /// A filter at a load, or for the whole domain, of modes with these states.
   ModeFilter(const FrictionProblem& problem, const std::optional<Rational>& load, const ForceInterval& domain,
              const StatesOfElements& states);
 
@@ -34,8 +34,8 @@ class ModeFilter {
 
   std::size_t unknowns_;
   std::optional<Approximate> load_;             ///< the one there is
-  std::vector<Row> equations_;                  ///< of every mode
-  std::vector<std::vector<StateRows>> states_;  ///< for each element, by the number of the state
+  std::vector<Row> equations_;                  ///< common to all modes
+  std::vector<std::vector<StateRows>> states_;  ///< by element and state
   std::vector<Approximate> above_, below_;      ///< ends of the domain
 };
 

@@ -1,5 +1,5 @@
-// A mode for all its loads at once, for the computation of cells: its accelerations and forces exactly, and
-// approximately, which is usually enough to distinguish two motions.
+// A mode as a function of the load, for the computation of cells: its accelerations and forces, exact and approximate.
+// The approximation usually suffices to distinguish two motions.
 #pragma once
 
 #include <optional>
@@ -45,7 +45,7 @@ class ModeOfCells {
   const ConsistentMode& found() const { return *found_; }
   /// Whether its equations leave one solution for each load.
   bool regular() const { return space().dimension() == 0 && space().load_is_free(); }
-  /// Of a determined mode.
+  /// An acceleration of a determined mode.
   const Affine<Rational>& acceleration(std::size_t i) const;
   OverLoads accelerations() const;
   ForcesOverLoads forces() const;
@@ -65,7 +65,8 @@ class ModeOfCells {
 /// Whether two motions surely differ: at a load, or as functions of it.
 bool surely_differ(const ModeOfCells& x, const ModeOfCells& y, const std::optional<Rational>& load);
 
-/// Where two motions are the same, if at one load only, of so many accelerations.
+/// The load at which the first `accelerations` accelerations of two motions agree; nothing unless it is exactly one
+/// load.
 std::optional<Rational> crossing(const ModeOfCells& x, const ModeOfCells& y, std::size_t accelerations);
 
 }  // namespace slipproof

@@ -15,7 +15,7 @@ namespace slipproof {
 /// A mode with its solutions; says whether they are one motion for each load.
 ConsistentMode consistent_mode(const FrictionProblem& problem, const MechanismMode& mode, Polyhedron solutions);
 
-/// More modes are not tried.
+/// The largest number of modes that are tried.
 inline constexpr std::uint64_t max_modes = 65'536;
 
 /// Solves the modes of a problem, which must outlive it: at one load, also outside the domain, or for all loads of the
@@ -23,28 +23,28 @@ inline constexpr std::uint64_t max_modes = 65'536;
 class ModeSolver {
  public:
   ModeSolver(const FrictionProblem& problem, const std::optional<Rational>& load);
-  /// For modes of these states only.
+  /// A solver for modes with these states only.
   ModeSolver(const FrictionProblem& problem, const std::optional<Rational>& load, StatesOfElements states);
 
-  /// All modes; their number must be at most max_modes. Takes one elimination in integers for each. Those whose
-  /// equations leave something open are then tried state by state, with a few linear programs each: what already
-  /// contradicts itself for the first elements is not gone into. Throws TooMuchWork beyond an effort.
+  /// All modes; there must be at most max_modes. Takes one elimination in integers for each mode. Modes whose equations
+  /// are underdetermined are then tried state by state, with a few linear programs each, and cut as soon as the first
+  /// elements contradict each other. Throws TooMuchWork beyond the effort.
   ModesOf all(Effort* effort = nullptr) const;
-  /// Only the consistent modes, without reasons for the others. Unless an effort is given, binary64 excludes most of
-  /// the others.
+  /// The consistent modes, without reasons for the others. Without an effort, a filter in binary64 excludes most of the
+  /// others.
   std::vector<ConsistentMode> consistent(Effort* effort = nullptr) const;
-  /// Those of some modes, with a state for each element, in the order in which they are given.
+  /// The consistent ones among some modes, with a state for each element, in the given order.
   std::vector<ConsistentMode> consistent_among(const std::vector<MechanismMode>& modes) const;
-  /// One mode, with a state for each element. A rejected one has a single condition with its margin if one fails for
-  /// all forces; if not, no fewer of the conditions exclude each other.
+  /// One mode, with a state for each element. If it is rejected, reports a single condition with its margin if one
+  /// fails for all forces, otherwise a minimal set of conditions that exclude each other.
   ModesOf one(const MechanismMode& mode, Effort* effort = nullptr) const;
 
-  /// Of a mode that leaves so many unknowns to elimination; without linear programs.
+  /// The work of a mode that leaves this number of unknowns to elimination, without linear programs.
   Work work_of(std::size_t unknowns) const { return regular_.work_of(unknowns); }
 
  private:
   enum class Rejected { reported, left_out };
-  /// What the filter excludes is rejected without a reason.
+  /// Finds the modes with these states. Gives no reason for those that the filter excludes.
   ModesOf among(const StatesOfElements& states, Rejected rejected, Effort* effort,
                 const ModeFilter* filter = nullptr) const;
   ModeFilter filter() const { return {problem_, load_, domain_, states_}; }
@@ -56,14 +56,14 @@ class ModeSolver {
   RegularModes regular_;
 };
 
-/// The states that so many elements have in some modes.
+/// For each of `elements` elements, the states that it has in some of the modes.
 StatesOfElements states_in(const std::vector<MechanismMode>& modes, std::size_t elements);
 
-/// By a solver for this once.
+/// Finds the modes with a solver that is used once.
 ModesOf modes_of(const FrictionProblem& problem, const std::optional<Rational>& load);
 ModesOf mode_of(const FrictionProblem& problem, const MechanismMode& mode, const std::optional<Rational>& load);
 
-/// The same problem with the equations solved: only what they leave free is unknown.
+/// The problem with its equations solved: only their free unknowns remain.
 FrictionProblem without_equations(const FrictionProblem& problem);
 
 }  // namespace slipproof

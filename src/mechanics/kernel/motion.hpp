@@ -13,7 +13,7 @@
 
 namespace slipproof {
 
-/// One condition of a mode.
+/// A condition of a mode that is violated.
 struct ViolatedCondition {
   std::size_t element;
   ElementState state;
@@ -32,8 +32,8 @@ struct ConsistentMode {
 /// together the reason is that of their beginning; mode_of gives the mode's own: one condition if one suffices.
 struct RejectedMode {
   MechanismMode mode;
-  std::vector<ViolatedCondition> because;  ///< that exclude each other
-  std::optional<Rational> margin;          ///< of a condition that alone is violated by as much for all forces
+  std::vector<ViolatedCondition> because;  ///< conditions that exclude each other
+  std::optional<Rational> margin;          ///< value of a single condition that is violated equally for all forces
 };
 
 struct ModesOf {
@@ -42,10 +42,10 @@ struct ModesOf {
 };
 
 struct MotionAtLoad {
-  std::vector<MechanismMode> modes;           ///< in which it is strict
+  std::vector<MechanismMode> modes;           ///< modes in which it is strict
   std::vector<MechanismMode> boundary_modes;  ///< the others
   std::vector<Rational> accelerations;        ///< in the order of FrictionProblem::accelerations
-  std::vector<Range> forces;                  ///< of FrictionProblem::forces, over all of its modes
+  std::vector<Range> forces;                  ///< in the order of FrictionProblem::forces, over all of its modes
   std::vector<MechanismMode> continua;        ///< modes of the continua that contain it
 
   bool strict() const { return !modes.empty(); }
@@ -60,7 +60,7 @@ struct ContinuumAtLoad {
 };
 
 struct MotionsAtLoad {
-  std::vector<MotionAtLoad> motions;  ///< of all modes with one motion, alone or in a continuum
+  std::vector<MotionAtLoad> motions;  ///< motions of all modes with one motion, isolated or in a continuum
   std::vector<ContinuumAtLoad> continua;
   std::vector<RejectedMode> rejected;
   /// The modes were not all tried: some boundary modes of each motion are missing, and all that are rejected.
@@ -72,10 +72,10 @@ struct MotionsAtLoad {
 /// All modes of the motions that a continuum contains.
 std::vector<MechanismMode> modes_in(const MotionsAtLoad& found, const ContinuumAtLoad& continuum);
 
-/// A motion over a set of loads; without the numbers where they were not asked for.
+/// A motion over a set of loads; without numbers if only modes were requested.
 struct MotionOverLoads {
   std::vector<MechanismMode> modes, boundary_modes;
-  std::vector<Affine<Rational>> accelerations;          ///< of the load
+  std::vector<Affine<Rational>> accelerations;          ///< as functions of the load
   std::vector<std::optional<Affine<Rational>>> forces;  ///< nothing where one is undetermined
   std::vector<MechanismMode> continua;                  ///< modes of the continua that contain it
 

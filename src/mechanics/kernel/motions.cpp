@@ -88,7 +88,7 @@ MotionsAtLoad gather_with_hysteresis(const FrictionProblem& problem, const std::
 class Cells {
  public:
   Cells(const FrictionProblem& problem, const std::vector<ConsistentMode>& consistent, Detail detail)
-      : problem_(problem), told_(detail) {
+      : problem_(problem), detail_(detail) {
     const NearForms accelerations = near(problem.accelerations);
     for (const ConsistentMode& mode : consistent) modes_.emplace_back(problem, mode, accelerations);
   }
@@ -218,8 +218,8 @@ class Cells {
     if (k == first.size()) {
       first.push_back(&mode);
       cell.motions.emplace_back();
-      if (told_ == Detail::numbers) add_numbers(cell, mode);
-    } else if (told_ == Detail::numbers) {
+      if (detail_ == Detail::numbers) add_numbers(cell, mode);
+    } else if (detail_ == Detail::numbers) {
       const ForcesOverLoads forces = forces_in(cell, mode);
       for (std::size_t i = 0; i < forces.size(); ++i) {
         if (cell.motions[k].forces[i] != forces[i]) cell.motions[k].forces[i].reset();
@@ -252,7 +252,7 @@ class Cells {
   }
 
   const FrictionProblem& problem_;
-  Detail told_;
+  Detail detail_;
   std::vector<ModeOfCells> modes_;
 };
 

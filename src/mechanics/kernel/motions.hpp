@@ -23,13 +23,13 @@ struct MergedModes {
 MergedModes merge(const FrictionProblem& problem, const std::vector<ConsistentMode>& consistent,
                   Effort* effort = nullptr);
 
-/// What is found of more than max_tried modes (kinematic_modes.hpp).
+/// The result for more than max_tried modes (kinematic_modes.hpp).
 enum class Listing : std::uint8_t {
   motions,  ///< every motion, by kinematics, with some of its modes
   modes     ///< every mode, if every_mode() has them; if not, as before
 };
 
-/// All motions at a load, which need not be of the domain; a problem without a load takes none. Throws TooMuchWork
+/// All motions at a load, which may lie outside the domain; a problem without a load takes none. Throws TooMuchWork
 /// beyond kinematic_effort.
 MotionsAtLoad motions_of(const FrictionProblem& problem, const std::optional<Rational>& load,
                          Listing listing = Listing::motions);
@@ -38,15 +38,15 @@ MotionsAtLoad motions_of(const FrictionProblem& problem, const std::optional<Rat
 MotionsAtLoad motions_by_kinematics(const FrictionProblem& problem, const std::optional<Rational>& load,
                                     Effort& effort);
 
-/// The same problem with static limits as low as the kinetic ones; nothing where they are. Several motions that are one
-/// then are hysteresis.
+/// The problem with its static limits lowered to the kinetic ones; nothing if they are equal. If several motions become
+/// one in it, they are due to hysteresis.
 std::optional<FrictionProblem> without_hysteresis(const FrictionProblem& problem);
 
 /// How much to report about motions: modes only, for counting, or modes and numbers.
 enum class Detail : std::uint8_t { modes, numbers };
 
-/// Divides the domain of the load, from below, into points and open intervals, in each of which the motions have the
-/// same modes. `consistent` are the problem's modes for all loads; neighbours may be alike.
+/// Divides the domain of the load into points and open intervals, ascending; in each the motions have the same modes.
+/// `consistent` are the problem's modes for all loads; neighbours may be alike.
 std::vector<LoadCell> cells_of(const FrictionProblem& problem, const std::vector<ConsistentMode>& consistent,
                                Detail detail = Detail::numbers);
 

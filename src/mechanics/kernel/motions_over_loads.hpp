@@ -20,22 +20,23 @@ struct ModeOverLoads {
 /// The solutions of a mode's equations, as forms over the parameters that are left free, perhaps none, and the load.
 struct ModeForms {
   std::size_t free = 0;
-  std::vector<AffineForm> accelerations, forces;  ///< in the order of FrictionProblem's
-  std::vector<AffineForm> conditions;             ///< what must be >= 0
+  std::vector<AffineForm> accelerations, forces;  ///< in the order of FrictionProblem
+  std::vector<AffineForm> conditions;             ///< forms that must be >= 0
 };
 
-/// All modes at one point of a mechanism. What it gives out lives as long as it does. May be used by several threads.
+/// All modes at one point of a mechanism. References that it returns are valid while it lives. May be used by several
+/// threads.
 class MotionsOverLoads {
  public:
   virtual ~MotionsOverLoads() = default;
 
-  /// Nothing for a mode that is not modelled.
+  /// The mode over its loads; nothing if it is not modelled.
   virtual std::optional<ModeOverLoads> find(const MechanismMode& mode) const = 0;
   /// Null if its equations have no solution at any load. Computed at the first call for a mode.
   virtual const ModeForms* forms(const MechanismMode& mode) const = 0;
-  /// The loads of the domain as points and open intervals, from below, in each of which the motions are the same modes.
-  /// Where not all modes are tried (kinematic_modes.hpp) each motion has those of its modes that kinematics finds, and
-  /// those that are `named`.
+  /// The domain of the load as points and open intervals, ascending; in each the motions have the same modes. If not
+  /// all modes are tried (kinematic_modes.hpp), each motion has the modes that kinematics finds, and those that are
+  /// `named`.
   virtual std::vector<LoadCell> cells(Detail detail = Detail::numbers,
                                       const std::vector<MechanismMode>& named = {}) const = 0;
   /// Whether all modes are tried, so that no mode need be named.

@@ -1,9 +1,10 @@
 // The solutions of linear equations that meet conditions, for one load or for all.
 //
-// What is asked is whether there is a solution, whether one meets all conditions strictly, and for which loads. Where
-// the equations leave an unknown free these are linear programs: with s as large as conditions >= s allow, s > 0 shows
-// a strict solution, s < 0 by its multipliers which conditions exclude each other, and s = 0 which of them vanish on
-// all solutions. These become equations, and what is left has a strict solution: its dimension is that of its space.
+// Decides whether there is a solution, whether one meets all conditions strictly, and for which loads. If the equations
+// leave an unknown free, a linear program maximises s under conditions >= s. s > 0 gives a strict solution; for s < 0
+// the multipliers show which conditions exclude each other; for s = 0 they show which conditions vanish on all
+// solutions. Those become equations; the remaining system has a strict solution, and the dimension of its solutions is
+// that of its space.
 #pragma once
 
 #include <optional>
@@ -17,16 +18,16 @@ namespace slipproof {
 /// Solutions, at least one.
 struct Polyhedron {
   AffineSpace space;              ///< the least that contains all of them
-  std::vector<AffineForm> sides;  ///< on the space; those conditions that are neither always 0 nor always positive
+  std::vector<AffineForm> sides;  ///< on the space: the conditions that are neither always 0 nor always positive
   bool strict = false;            ///< some solution meets all of the conditions strictly
-  ForceInterval loads;            ///< for which there is a solution
+  ForceInterval loads;            ///< loads with a solution
 };
 
 /// There is no solution.
 struct Conflict {
   /// Conditions, by index, that exclude each other for loads of the domain. None: the space has no load of the domain.
   std::vector<std::size_t> conditions;
-  std::optional<Rational> margin;  ///< of one condition that has the same negative value for all solutions
+  std::optional<Rational> margin;  ///< negative value of a condition, if it is the same for all solutions
 };
 
 using Narrowed = std::variant<Polyhedron, Conflict>;

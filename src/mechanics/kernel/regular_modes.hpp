@@ -1,9 +1,10 @@
-// Modes whose equations have one solution for each load, solved in integers: no gcd before it is known which numbers
-// are asked for.
+// Modes whose equations have one solution for each load, solved in integers; greatest common divisors are taken only of
+// numbers that are returned.
 //
-// A form times the common denominator of its numbers is a row of integers; solutions and signs stay what they are. Rows
-// of one or two unknowns without a constant (a force that is 0, friction at its limit) go first: each leaves an unknown
-// out. Fraction-free elimination takes the rest. A mode that has no solution or several is left to linear programs.
+// A form multiplied by the common denominator of its numbers is a row of integers with the same solutions and signs.
+// Rows with one or two unknowns and no constant (a force that is 0, friction at its limit) are eliminated first, by
+// substitution, and the rest by fraction-free elimination. Modes with no solution or several are left to linear
+// programs.
 #pragma once
 
 #include <optional>
@@ -19,7 +20,8 @@ namespace slipproof {
 
 class RegularModes {
  public:
-  /// At one load, or for all. Copies the parts of the problem that modes of these states need into integers.
+  /// Prepares modes with these states at one load, or for all loads: copies the needed parts of the problem into
+  /// integers.
   RegularModes(const FrictionProblem& problem, const std::optional<Rational>& load, const StatesOfElements& states);
 
   /// A condition that the one solution at a load violates, the first one.
@@ -32,7 +34,7 @@ class RegularModes {
       singular,      ///< none or several solutions for some loads
       inconsistent,  ///< none; only at a load
       violated,      ///< one, which breaks a condition; only at a load
-      regular        ///< one for each load
+      regular        ///< one solution for each load
     };
     Kind kind = Kind::singular;
     std::optional<Violation> violation;
@@ -51,7 +53,7 @@ class RegularModes {
   struct Row {
     std::vector<Integer> entries;
     Integer factor;
-    std::vector<std::size_t> unknowns;  ///< with a coefficient that is not 0
+    std::vector<std::size_t> unknowns;  ///< those with a nonzero coefficient
     bool homogeneous;                   ///< neither constant nor load
   };
   struct StateRows {
@@ -65,9 +67,9 @@ class RegularModes {
   std::size_t unknowns_;
   std::optional<Rational> load_;  ///< the one load there is, 0 where the problem has none
   std::size_t right_sides_;
-  std::vector<Row> equations_;                  ///< of every mode
-  std::vector<std::vector<StateRows>> states_;  ///< for each element, by the number of the state
-  std::size_t bits_ = 0;                        ///< of the longest number
+  std::vector<Row> equations_;                  ///< common to all modes
+  std::vector<std::vector<StateRows>> states_;  ///< by element and state
+  std::size_t bits_ = 0;                        ///< bits of the longest number
 };
 
 }  // namespace slipproof

@@ -7,8 +7,8 @@
 
 namespace slipproof {
 
-/// All numbers in the forms of equations, links, contacts and friction elements, but those that are absent, and the
-/// coefficients of friction. Over the mechanism's parameters, definitions and angle symbols.
+/// All nonzero coefficients in the forms of equations, links, contacts and friction elements, and the coefficients of
+/// friction. They are expressions in the mechanism's parameters, definitions and angle symbols.
 std::vector<Expression> coefficients(const Mechanism& mechanism);
 
 }  // namespace slipproof

@@ -43,7 +43,7 @@ std::optional<std::vector<T>> coefficients(const CompiledForm& form, Evaluator<T
 }
 
 struct CompiledContact {
-  CompiledForm gap, slip;
+  CompiledForm gap, slip;                                    ///< accelerations
   std::optional<Program> static_friction, kinetic_friction;  ///< nothing: frictionless
 };
 

@@ -11,7 +11,7 @@
 
 namespace slipproof::mechanism_forms {
 
-/// What is not linear, and where.
+/// An expression that is not linear, and its place.
 struct NotLinear {
   Expression where;
   std::string message;
@@ -34,7 +34,8 @@ class Extraction {
   /// Throws NotLinear.
   SymbolicForm form(const Expression& expression) const;
   SymbolicForm form(const Linear& linear) const;
-  /// Whether it divides by nothing, directly or in a definition: what is left out of a form has a value everywhere.
+  /// True if the expression contains no division, directly or in a definition; it may be left out of a form, since it
+  /// has a value everywhere.
   bool divides_by_nothing(const Expression& expression) const;
   /// Whether the load occurs, directly or in a definition.
   bool has_load(const Expression& expression) const;

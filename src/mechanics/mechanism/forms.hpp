@@ -14,9 +14,9 @@ namespace slipproof {
 /// file times the number of unknowns.
 void derive_forms(Mechanism& mechanism, Mistakes& mistakes);
 
-/// The same mechanism with another parameter as its load; the load that it had becomes a parameter, the last. The
-/// conditions on the parameter become the load's domain. Throws InputError, with places in the mechanism's file, if
-/// there is no such parameter, if it multiplies an unknown, or if the conditions on it are no interval.
+/// The mechanism with another parameter as its load; the previous load becomes the last parameter. The conditions on
+/// the parameter become the load's domain. Throws InputError, with places in the mechanism's file, if there is no such
+/// parameter, if it multiplies an unknown, or if the conditions on it are not an interval.
 Mechanism with_load(const Mechanism& mechanism, std::string_view parameter);
 
 /// The comparisons of the load's domain, as forms in the load alone.

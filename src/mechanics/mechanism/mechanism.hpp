@@ -64,8 +64,8 @@ struct MechanismAngle {
 
 struct MechanismLoad {
   std::string symbol;
-  /// Together they make an interval: comparisons, joined by `and`, of what is affine in the load. The first is the
-  /// load's own; others come from parameters when with_load() makes one of them the load.
+  /// Conditions that together define an interval: conjunctions of comparisons that are affine in the load. The first is
+  /// the load's own; others come from parameters that with_load() made the load.
   std::vector<PlacedExpression> domain;
   std::string unit, meaning;
   Place place;
@@ -75,7 +75,7 @@ struct MechanismUnknown {
   enum class Role : std::uint8_t { acceleration, force, normal, tangent, friction, link };
   std::string symbol;
   Role role = Role::acceleration;
-  std::size_t owner = 0;  ///< of a contact's, friction element's or link's force: which of its kind
+  std::size_t owner = 0;  ///< index of the contact, friction element or link that the force belongs to
   std::string unit;       ///< empty: not given
   Place place;
 };
@@ -83,17 +83,19 @@ struct MechanismUnknown {
 struct MechanismEquation {
   std::string name;
   PlacedExpression left, right;  ///< as in the file
-  Expression contact_forces;  ///< on the right, by virtual work; null in a file with [equations], or if there are none
-  SymbolicForm form;          ///< left - right - contact forces
+  /// Contact forces on the right side, by virtual work; null in a file with [equations], or if there are none.
+  Expression contact_forces;
+  SymbolicForm form;  ///< left - right - contact forces
 
-  /// The right-hand side with all forces in it.
+  /// The right side with all forces.
   Expression whole_right() const;
 };
 
+/// A contact. `gap` and `slip` are accelerations: of the opening along N, and along positive slip.
 struct MechanismContact {
   std::string name;
   PlacedExpression gap;
-  PlacedExpression slip;                               ///< null: a frictionless contact without it
+  PlacedExpression slip;                               ///< null for a frictionless contact without slip
   PlacedExpression static_friction, kinetic_friction;  ///< null: frictionless; the same if the file gives one
   ElementKind::Start start = ElementKind::Start::rest;
   bool bilateral = false;
@@ -101,7 +103,7 @@ struct MechanismContact {
   std::string gap_name, slip_name;
   std::size_t normal = 0;              ///< its force among the unknowns
   std::optional<std::size_t> tangent;  ///< nothing: frictionless
-  /// Where it is, the direction of N and that of positive slip; two coordinates each, or none; for pictures.
+  /// Position, direction of N, and direction of positive slip, for pictures; each has two coordinates or none.
   std::vector<PlacedExpression> at, direction, slip_direction;
   SymbolicForm gap_form, slip_form;
   Place place;
@@ -109,13 +111,14 @@ struct MechanismContact {
   bool frictionless() const { return !static_friction; }
 };
 
+/// A friction element. `slip` is an acceleration along its positive direction.
 struct MechanismFriction {
   std::string name;
   PlacedExpression slip;
   PlacedExpression static_limit, kinetic_limit;
   ElementKind::Start start = ElementKind::Start::rest;
   std::string slip_name;
-  std::optional<std::size_t> contact;  ///< whose force limits it, as of rolling resistance (ElementKind::contact)
+  std::optional<std::size_t> contact;  ///< that limits it, as for rolling resistance (ElementKind::contact)
   std::size_t force = 0;               ///< among the unknowns
   SymbolicForm slip_form, static_form, kinetic_form;
   Place place;
@@ -133,10 +136,10 @@ struct MechanismShape {
   enum class Kind : std::uint8_t { polygon, line, circle, point, arrow, label, measure, turn };
   Kind kind = Kind::polygon;
   std::vector<std::vector<PlacedExpression>> points;  ///< two coordinates each, x to the right and y up
-  PlacedExpression radius;                            ///< of a circle; of a turn, clockwise if negative
-  std::string text;                                   ///< of a label; the name of an arrow, measure or turn
-  PlacedExpression force;                             ///< that an arrow shows, positive along it
-  std::string acceleration;                           ///< that an arrow shows, one of acceleration_names()
+  PlacedExpression radius;                            ///< radius of a circle, or of a turn, clockwise if negative
+  std::string text;                                   ///< text of a label; name of an arrow, measure or turn
+  PlacedExpression force;                             ///< force shown by an arrow, positive along it
+  std::string acceleration;                           ///< acceleration shown by an arrow, one of acceleration_names()
   bool still = false;                                 ///< left out of the picture of a motion
   bool thin = false;                                  ///< drawn with a thin line
   Place place;
@@ -153,7 +156,7 @@ struct Mechanism {
   std::vector<MechanismAngle> angles;
   std::optional<MechanismLoad> load;
   std::vector<MechanismUnknown> unknowns;  ///< accelerations, forces, then those of contacts, friction elements, links
-  std::size_t accelerations = 0, forces = 0;  ///< how many of the unknowns are accelerations; forces of no element
+  std::size_t accelerations = 0, forces = 0;  ///< numbers of unknown accelerations; of forces of no element
   bool by_virtual_work = false;               ///< the file has [motion], not [equations]
   bool reciprocal = true;                     ///< false: the file says that its matrix is not symmetric on purpose
   std::vector<MechanismEquation> equations;
@@ -163,14 +166,14 @@ struct Mechanism {
   std::vector<MechanismShape> shapes;
   PlacedExpression energy;  ///< kinetic energy; names of accelerations mean the velocities. Null: not given
   std::vector<SymbolicForm> energy_slopes;  ///< its derivatives by each of them: rows of a symmetric matrix
-  std::shared_ptr<const Bodies> bodies;     ///< of a file with bodies: what the rest follows from
+  std::shared_ptr<const Bodies> bodies;     ///< the bodies from which the rest was derived; null without
   bool shipped = false;                     ///< comes with slipproof and was found by name: tests have checked it
 
   /// Contacts and friction elements: what has a state in a mode.
   std::size_t elements() const { return contacts.size() + friction.size(); }
 };
 
-/// Names of what has a value at a point of the mechanism: its parameters, its angles, and the load.
+/// Names of the quantities that have a value at a point of the mechanism: parameters, angles and the load.
 std::vector<std::string_view> value_names(const Mechanism& mechanism);
 /// Names of the quantities that define a motion: unknown accelerations, the gap and slip of each contact, the slip of
 /// each friction element. In the order of FrictionProblem::accelerations.
@@ -185,8 +188,8 @@ std::vector<std::size_t> missing_for_lift(const MechanismContact& contact, const
 
 /// The state of each element before the motion, as the file gives it.
 std::vector<ElementKind::Start> starts(const Mechanism& mechanism);
-/// What the elements are: with these states before the motion, and `given`, for each parameter, whether it has a value
-/// (which decides whether a contact may lift). The file's own states with all parameters given, if left out.
+/// The kinds of the elements, for the states before the motion and for `given`: for each parameter, whether it has a
+/// value (which decides whether a contact may lift). By default the states in the file, with all parameters given.
 std::vector<ElementKind> element_kinds(const Mechanism& mechanism);
 std::vector<ElementKind> element_kinds(const Mechanism& mechanism, const std::vector<ElementKind::Start>& starts,
                                        const std::vector<bool>& given);

@@ -46,7 +46,7 @@ class MechanismNames {
     std::size_t index;  ///< among its kind; of unknowns, among all unknowns
   };
 
-  /// If a name is given twice, the first counts.
+  /// Collects the names of a mechanism. If a name is given twice, the first one counts.
   explicit MechanismNames(const Mechanism& mechanism);
   std::optional<Entry> find(std::string_view name) const;
   /// The names of these kinds, in alphabetic order.

@@ -64,7 +64,7 @@ class RowForms {
     return row;
   }
 
-  /// What has no value; empty: everything has one.
+  /// Describes a coefficient without a value; empty if all have one.
   const std::string& without_value() const { return without_value_; }
 
  private:

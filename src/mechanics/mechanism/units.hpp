@@ -13,23 +13,24 @@ class Unit {
  public:
   Unit();  ///< 1
 
-  /// False of what could not be computed: a power beyond the 255th, or everything without the library's table of units.
+  /// False if the unit could not be computed: a power above the 255th, or any unit if the library's table of units is
+  /// missing.
   bool known() const { return unit_ != nullptr; }
   Unit operator*(const Unit& other) const;
   Unit operator/(const Unit& other) const;
-  /// Beyond the 255th power of a unit there is no value.
+  /// The power; nothing for exponents beyond 255.
   std::optional<Unit> power(int exponent) const;
-  /// The same dimension and the same size: N and kg m/s^2, but not N and kN.
+  /// True for equal dimension and size: N and kg m/s^2, but not N and kN.
   bool operator==(const Unit& other) const;
-  /// The same dimension: N and kN.
+  /// True for equal dimension: N and kN.
   bool same_dimension(const Unit& other) const;
-  /// In base units, `m.kg.s-2`; 1 for a number.
+  /// The unit in base units, `m.kg.s-2`; 1 for a number.
   std::string text() const;
 
  private:
   friend std::optional<Unit> parse_unit(std::string_view text);
   explicit Unit(void* unit);
-  std::shared_ptr<void> unit_;  ///< of the library
+  std::shared_ptr<void> unit_;  ///< representation of the library
 };
 
 /// False if udunits or its table of units is not installed; then no unit is known.

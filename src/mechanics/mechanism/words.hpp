@@ -10,8 +10,8 @@
 
 namespace slipproof {
 
-/// One condition of an element's state: `N1 >= 0`, `|S2| <= mu N2`, `slip_left <= 0`, `gap_left >= 0`; with > and < if
-/// strict. The two halves of |S| <= mu N have the same name.
+/// A condition of an element's state as text: `N1 >= 0`, `|S2| <= mu N2`, `slip_left <= 0`, `gap_left >= 0`; with > and
+/// < if strict. The two halves of |S| <= mu N have the same name.
 std::string condition_name(const Mechanism& mechanism, std::size_t element, ElementState state,
                            StateCondition condition, bool strict = false);
 

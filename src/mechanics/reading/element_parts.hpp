@@ -10,7 +10,7 @@ class ElementParts {
   explicit ElementParts(Context& context) : context_(context), mechanism_(context.mechanism) {}
 
  protected:
-  /// The tables of a key, at most so many.
+  /// The tables of a key, at most `limit`; reports more.
   std::vector<const TomlValue*> tables(const TableReader& root, std::string_view key, std::size_t limit);
   /// The element's name, declared.
   std::string name_of(const TableReader& table);

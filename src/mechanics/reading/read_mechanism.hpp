@@ -12,7 +12,7 @@ namespace slipproof {
 /// Reads a mechanism file. Throws InputError with every mistake of the file, in the order of their places.
 Mechanism read_mechanism(const std::filesystem::path& path);
 
-/// The same from a text; `file` is how messages call it. Any bytes are safe.
+/// Reads a mechanism from a text; `file` is its name in messages. Safe for any bytes.
 Mechanism parse_mechanism(std::string_view text, const std::string& file);
 /// The same from a table of a file with that name.
 Mechanism parse_mechanism(const TomlValue& table, const std::string& file);

@@ -31,7 +31,7 @@ class Context {
 
   /// A symbol that nothing else in the mechanism has; it is reported if not.
   void declare(const std::string& symbol, Place place);
-  /// The same of an element's name, among those of elements; whether it is fine.
+  /// Declares the name of an element among those of elements; returns whether it is valid.
   bool declare_element(const std::string& name, Place place);
 
   void refuse(const PlacedExpression& placed, const Expression& part, std::string_view key,
@@ -42,7 +42,7 @@ class Context {
   Mechanism& mechanism;
   Mistakes& mistakes;
   bool bodies_named_well = true;  ///< false: what one is called is a mistake, so that it may be meant elsewhere
-  bool sound = true;              ///< false: some expression could not be read, so that what is missing may be in it
+  bool sound = true;              ///< false if some expression could not be read; missing symbols may occur in it
 
  private:
   PlacedExpression parsed(const PlacedText& text, std::string_view name, Sort sort);
@@ -53,7 +53,7 @@ class Context {
 /// No file has more of anything: the work of reading one is bounded.
 inline constexpr std::size_t max_symbols = 1'000, max_unknowns = 64, max_elements = 64, max_bodies = 32,
                              max_shapes = 1'000;
-/// Whether there are at most so many; if not, it is reported.
+/// Returns whether count <= limit; otherwise reports it.
 bool within(std::size_t count, std::size_t limit, std::string_view key, Place place, Mistakes& mistakes);
 
 /// [parameters], [assume], [realisable], [definitions], [angles], [load], [unknowns].
@@ -65,14 +65,14 @@ void read_shapes(const TableReader& root, Context& context);
 /// gravity, [[body]], [[contact]], [[joint]], [[friction]], [[force]], [[torque]]: elements and unknowns of the
 /// mechanism, with what their equations follow from. In place of [unknowns], elements and equations.
 Bodies read_bodies(const TableReader& root, Context& context);
-/// Reports wrong symbols in what the equations follow from, as check_uses() does.
+/// Reports wrong symbols in the expressions of bodies, as check_uses() does.
 void check_uses(Bodies& bodies, Context& context);
 /// [motion] or [equations], [units], energy. After the elements.
 void read_equations(const TableReader& root, Context& context);
 /// Symbols that do not exist or must not be used where they are, and expressions too large to evaluate. Those become
 /// null. When everything is read.
 void check_uses(Context& context);
-/// Checks of the file as a whole: accelerations that occur nowhere, the number of equations.
+/// Checks the complete file: accelerations that occur nowhere, the number of equations.
 void check_whole(Context& context);
 
 /// Reports conditions of the domain that exclude each other, if linear ones show it. Only for files without other

@@ -14,9 +14,9 @@ struct ShippedMechanism {
   std::string_view text;
 };
 
-/// In alphabetic order.
+/// The mechanisms that slipproof ships, in alphabetic order.
 const std::vector<ShippedMechanism>& shipped_mechanisms();
-/// Null if there is none of this name.
+/// Null if no shipped mechanism has this name.
 const ShippedMechanism* find_shipped(std::string_view name);
 Mechanism read_shipped(const ShippedMechanism& shipped);
 

@@ -7,10 +7,10 @@
 
 namespace slipproof {
 
-/// The same mechanism where a condition holds, such as `b < h and mu < 1`: over parameters, angle symbols and
-/// definitions, an entry of [assume] more; what is joined by `and` and has the load in it must bound the load, whose
-/// domain it narrows. Throws InputError, with the column in the text, for a text that is no condition, for unknown
-/// names, and for bounds of the load that are no interval; `source` is how messages call the text.
+/// Restricts a mechanism to where a condition holds, such as `b < h and mu < 1`. Conjuncts over parameters, angle
+/// symbols and definitions become an entry of [assume]; conjuncts with the load must bound it, and narrow its domain.
+/// Throws InputError, with the column in the text, if the text is not a condition, for unknown names, and for bounds of
+/// the load that are not an interval. `source` is the name of the text in messages.
 Mechanism narrowed(const Mechanism& mechanism, std::string_view condition, const std::string& source);
 
 }  // namespace slipproof

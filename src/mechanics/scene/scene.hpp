@@ -30,12 +30,12 @@ struct SceneThreshold {
 
 struct MechanismScene {
   std::string name;
-  Mechanism mechanism;                           ///< with the load that `along` asks for
+  Mechanism mechanism;                           ///< with the load given by `along`
   MechanismValues values;                        ///< in the domain, with all of [assume]
-  std::optional<Rational> load;                  ///< absent: every load at once, or a mechanism without one
-  std::vector<std::string> notes;                ///< what the reader should know of how the file was understood
-  std::vector<CombinedParameter> combined = {};  ///< what may be varied beside the mechanism's own parameters
-  std::string question = {}, asked = {};         ///< in a sentence; where people asked it
+  std::optional<Rational> load;                  ///< nothing: all loads, or a mechanism without a load
+  std::vector<std::string> notes;                ///< remarks for the user on how the file was interpreted
+  std::vector<CombinedParameter> combined = {};  ///< further names that can be varied
+  std::string question = {}, asked = {};         ///< a question that the scene answers, in a sentence; its source
   std::optional<SceneThreshold> threshold = {};
 };
 
@@ -45,20 +45,19 @@ struct MechanismScene {
 /// Throws InputError with every mistake of the file, in the order of their places; mistakes of the mechanism's file
 /// among them.
 MechanismScene read_scene(const std::filesystem::path& path);
-/// The same from a text; `file` is how messages call it, and where a relative path of the mechanism counts from.
+/// Reads a scene from a text. `file` is its name in messages; relative paths of mechanisms start from its folder.
 MechanismScene parse_scene(std::string_view text, const std::string& file);
 
-/// The same scene with another parameter as its load, as `along` in its file has it; the load that it had becomes a
-/// parameter. Throws InputError, with places in the mechanism's file, where that cannot be the load, and
-/// std::invalid_argument where the scene has no value of the load that becomes a parameter.
+/// The scene with another parameter as its load, like `along` in a file; the previous load becomes a parameter. Throws
+/// InputError, with places in the mechanism's file, if the parameter cannot be the load, and std::invalid_argument if
+/// the scene has no value of the previous load.
 MechanismScene with_load(const MechanismScene& scene, std::string_view parameter);
 
-/// Sets a parameter, an angle by the tangent of its half, or the load, whose symbols differ; false for another name.
-/// The domain is not looked at.
+/// Sets a parameter, an angle by the tangent of its half, name of the parameter, or of the load, whose symbols differ;
+/// false for another name. The domain is not looked at.
 bool set_value(MechanismScene& scene, std::string_view name, const Rational& value);
-/// The same scene with other values: of parameters, of the load, or of angles, which are given by the tangents of their
-/// halves. Throws std::invalid_argument, with a message for people, for a name that it has not and for values that are
-/// not in the domain.
+/// The scene with other values of parameters, of the load, or of angles (as tangents of half angles). Throws
+/// std::invalid_argument, with a message for users, for an unknown name and for values outside the domain.
 MechanismScene with_values(const MechanismScene& scene, const std::vector<std::pair<std::string, Rational>>& values);
 
 /// The first parameter that is a contact's coefficient of friction; if there is none, the first parameter that is

@@ -6,7 +6,7 @@
 
 namespace slipproof {
 
-/// Finds every mode, or, where there are too many to try or only motions are asked for, every motion by kinematics
+/// Finds all modes. If there are too many to try, or if only motions are requested, finds all motions by kinematics
 /// (kinematic_modes.hpp). Throws InputError if that takes more than some seconds, or if a coefficient has no value.
 SolvedMechanism solve_mechanism(MechanismScene scene, Listing listing = Listing::modes);
 

@@ -1,5 +1,5 @@
-// Shared by all parts of one search, in all branches: the statement, the limits and the budget, new names for what is
-// found, and results about polynomials that were computed once, as the same polynomials return in branch after branch.
+// The state shared by all branches of a search: the statement, the limits and the budget, new names for facts, and
+// cached results about polynomials, since the same polynomials recur in many branches.
 #pragma once
 
 #include <map>
@@ -11,21 +11,22 @@
 
 namespace slipproof::prove {
 
-/// How far the present attempt goes: all is tried with little first.
+/// The extent of the present attempt; the search begins with a small one.
 struct Reach {
   int split_depth = 0;          ///< nested splits
-  unsigned product_degree = 1;  ///< of the products in linear programs; with 1 there are none
+  unsigned product_degree = 1;  ///< degree of the products in linear programs; 1: no products
   bool sums_of_squares = false;
   bool circles = false;  ///< whether the equations of circles shorten facts
 };
 
-/// A polynomial and its negative, the same two whenever they are asked for, by which what is remembered knows them.
+/// A polynomial and its negative, as the same two objects at each request, so that cached results are found by their
+/// identities.
 struct BothSigns {
   Polynomial p, negated;
-  SignPattern at_samples;  ///< where p is positive and where negative
+  SignPattern at_samples;  ///< samples at which p is positive, and negative
 };
 
-/// One thread at a time, as the ring's budget.
+/// For one thread at a time, like the ring's budget.
 class Context {
  public:
   /// The statement must outlive it.
@@ -63,7 +64,7 @@ class Context {
   const Statement& statement_;
   Limits limits_;
   Samples samples_;
-  std::map<std::string, BothSigns> signed_;  ///< by the text of a polynomial, as are the next ones
+  std::map<std::string, BothSigns> signed_;  ///< by text of a polynomial, as the next ones
   std::map<std::string, Factorization> factorizations_;
   Replacements replacements_;
   Memo<Polynomial, 1> slopes_;

@@ -1,6 +1,6 @@
-// Facts coming into a state. Each is brought to a short form by what is known already, reduction by equations
-// (reduction.hpp) and then the normal form (normal_form.hpp), and may shorten the others in turn. It assumes nothing of
-// the fact but that the proof knows its name.
+// Adds facts to a state. Each is simplified by the known facts, first by equations (reduction.hpp), then to the normal
+// form (normal_form.hpp), and may in turn simplify the others. The only requirement is that the proof knows the name of
+// the fact.
 #pragma once
 
 #include "proofs/branch/context.hpp"

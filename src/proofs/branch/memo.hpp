@@ -11,11 +11,11 @@
 
 namespace slipproof::prove {
 
-/// Remembers what is computed from `count` polynomials and a number. Branches of a search differ in a fact or two, so
-/// the same questions return again and again. A remembered result spends as many steps of the ring's budget as it did
-/// at first. Polynomials are distinguished by identity(), which is cheap: copies of one are found again, equal ones
-/// that were computed separately are not. Value has a length(), in terms; beyond a certain total length nothing more is
-/// kept. For one thread at a time, as the ring's budget.
+/// Caches results that are computed from `count` polynomials and a number. Branches of a search differ in one or two
+/// facts, so the same results are needed again and again. A cached result spends as many steps of the ring's budget as
+/// computing it did. Polynomials are distinguished by identity(), which is cheap: copies are recognised, equal
+/// polynomials that were computed separately are not. Value must have a length(), in terms; above a certain total
+/// length nothing more is cached. For one thread at a time, as the ring's budget.
 template <class Value, std::size_t count>
 class Memo {
  public:
@@ -49,7 +49,7 @@ class Memo {
     }
   };
   struct Entry {
-    std::array<Polynomial, count> of;  ///< so that nothing else gets their identities
+    std::array<Polynomial, count> of;  ///< keeps their identities from being reused
     Value value;
     std::size_t steps;
   };

@@ -7,7 +7,7 @@
 
 namespace slipproof::prove {
 
-/// What a fact says beyond what is known.
+/// The content of a fact relative to the known facts.
 enum class News : std::uint8_t {
   none,          ///< it is true anyway
   some,          ///< it is to be kept, in the form that it has now

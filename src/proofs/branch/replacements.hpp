@@ -15,8 +15,8 @@ struct Replacement {
 
 class Replacements {
  public:
-  /// What `slack` is, which is linear in the variable, solved for it. The denominator is monic if it is one term, and
-  /// has a positive leading coefficient otherwise.
+  /// Solves `slack`, which must be linear in the variable, for it. A denominator of one term is monic; otherwise its
+  /// leading coefficient is positive.
   Replacement solved(const Polynomial& slack, std::size_t variable) {
     return solved_.get([&] { return solve(slack, variable); }, variable, slack);
   }

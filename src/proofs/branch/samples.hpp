@@ -1,6 +1,6 @@
 // Sample values of the variables. If a polynomial is negative at a sample that satisfies the hypotheses, no search for
-// a proof that it is positive can succeed. Samples only say what not to try: a wrong sign here can cost a proof, but
-// never makes one, so binary64 is enough.
+// a proof that it is positive can succeed. Samples only exclude attempts: a wrong sign here can cost a proof, but
+// cannot create one, so binary64 is enough.
 #pragma once
 
 #include <algorithm>
@@ -46,7 +46,7 @@ class SampleSet {
   std::array<std::uint64_t, kSamples / 64> words_{};
 };
 
-/// Where a polynomial is clearly positive or negative, rounding aside.
+/// The samples at which a polynomial is clearly positive or negative, beyond rounding errors.
 struct SignPattern {
   SampleSet positive;
   SampleSet negative;
@@ -61,7 +61,7 @@ class Samples {
 
  private:
   using Column = std::array<double, kSamples>;
-  std::vector<Column> values_;  ///< of each variable
+  std::vector<Column> values_;  ///< by variable
 };
 
 }  // namespace slipproof::prove

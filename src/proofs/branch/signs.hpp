@@ -1,7 +1,7 @@
 // The signs of polynomials from those of their factors. The sign of an irreducible factor is a fact in force, or is
 // found by substitution of slack variables (slack.hpp) and then derived as a step of the proof. All functions here
-// assume that facts in force stay in the state: once the sign of a polynomial is known, it is not asked again in a
-// branch.
+// assume that facts in force stay in the state: once the sign of a polynomial is known, it is not determined again in
+// the branch.
 #pragma once
 
 #include "proofs/branch/context.hpp"

@@ -26,14 +26,14 @@ struct SlackForm {
   bool strict = false;  ///< some term consists of strict hypotheses only, so p > 0; otherwise p >= 0
 };
 
-/// How many variables are replaced at a time, in how many attempts.
+/// The number of variables replaced at a time, and of attempts.
 struct SlackEffort {
   int depth, attempts;
 };
 
 /// Looks for coordinates in which all coefficients of p are positive: one variable after another is replaced by the
-/// slack of a hypothesis that is linear in it. Uses inequalities only, and leaves out what is false for a sample: p is
-/// negative at `negative`.
+/// slack of a hypothesis that is linear in it. Uses inequalities only, and excludes replacements that a sample refutes;
+/// p is negative at the samples `negative`.
 std::optional<SlackForm> find_slack_form(const std::vector<Fact>& facts, const std::vector<Fact>& derived,
                                          const Polynomial& p, const SampleSet& negative, SlackEffort effort,
                                          Replacements& replacements);

@@ -42,11 +42,11 @@ struct State {
   std::vector<Fact> facts;
   std::vector<Fact> derived;  ///< signs that follow from the facts, for denominators
   std::vector<std::pair<std::string, Formula>> disjunctions;
-  std::vector<Rule> rules;                    ///< in the order in which they were found
-  std::map<std::string, KnownSign> signs;     ///< by the text of an irreducible polynomial
+  std::vector<Rule> rules;                    ///< in order of discovery
+  std::map<std::string, KnownSign> signs;     ///< by text of an irreducible polynomial
   std::map<std::string, Pass> unknown_signs;  ///< searched without success, last in this pass
 
-  /// The same facts, without steps.
+  /// A copy with the same facts and no steps.
   State branch() const {
     State result = *this;
     result.steps.clear();

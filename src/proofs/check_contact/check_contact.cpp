@@ -25,7 +25,7 @@ std::string claim(const Problem& problem, Reader& reader, const char* expected) 
 
 /// Checks all claims of the file, one after the other, and returns what is established. A file that cannot be read to
 /// its end is reported as such first; a rejection waits.
-std::string established(Reader& reader, std::string_view asked) {
+std::string established(Reader& reader, std::string_view required_name) {
   const Problem problem(reader);
   std::string result;
   std::optional<Rejected> rejected;
@@ -38,7 +38,7 @@ std::string established(Reader& reader, std::string_view asked) {
     }
   } while (!reader.at("end"));
   reader.finish();
-  const std::string name = problem.check_name(asked);
+  const std::string name = problem.check_name(required_name);
   if (rejected) throw Rejected(*rejected);
   problem.check_mu();
   problem.check_law_numbers();
@@ -47,11 +47,11 @@ std::string established(Reader& reader, std::string_view asked) {
 
 }  // namespace
 
-ContactVerdict check_contact_certificate(std::string_view text, std::string_view asked) {
+ContactVerdict check_contact_certificate(std::string_view text, std::string_view required_name) {
   using Kind = ContactVerdict::Kind;
   try {
     Reader reader(text);
-    return {Kind::accepted, established(reader, asked)};
+    return {Kind::accepted, established(reader, required_name)};
   } catch (const Rejected& rejected) {
     return {Kind::rejected, rejected.what()};
   } catch (const Unreadable& unreadable) {

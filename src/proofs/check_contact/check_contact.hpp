@@ -15,12 +15,13 @@ struct ContactVerdict {
     unreadable  ///< the text is no certificate, or the file cannot be read
   };
   Kind kind = Kind::unreadable;
-  /// What is established; why it is rejected or cannot be read, such as `line L, column C: found ..., expected ...`.
+  /// The established result; or why the text is rejected or unreadable, such as `line L, column C: found ..., expected
+  /// ...`.
   std::string message;
 };
 
-/// One that is about another problem than the one `asked` about, by its name (FORMAT.md), is rejected; empty: any is
-/// right. Never throws because of what the text contains.
-ContactVerdict check_contact_certificate(std::string_view text, std::string_view asked = "");
+/// Checks a certificate. Rejects one about a problem with another name (FORMAT.md) than `required_name`, unless that is
+/// empty. Does not throw for any text.
+ContactVerdict check_contact_certificate(std::string_view text, std::string_view required_name = "");
 
 }  // namespace slipproof::check_contact

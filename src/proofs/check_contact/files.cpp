@@ -106,12 +106,12 @@ std::string_view to_string(Kind kind) {
   return kKinds.at(static_cast<std::size_t>(kind));
 }
 
-ContactVerdict check_contact_file(const std::string& path, std::string_view asked) {
+ContactVerdict check_contact_file(const std::string& path, std::string_view required_name) {
   const Loaded loaded = load(path);
-  return loaded.problem ? *loaded.problem : check_contact_certificate(loaded.text, asked);
+  return loaded.problem ? *loaded.problem : check_contact_certificate(loaded.text, required_name);
 }
 
-ContactReport check_contact_files(const std::vector<std::string>& paths, std::string_view asked) {
+ContactReport check_contact_files(const std::vector<std::string>& paths, std::string_view required_name) {
   ContactReport report;
   std::array<std::size_t, kKinds.size()> count{};
   const auto add = [&](const ContactVerdict& verdict, const std::string& name) {
@@ -127,7 +127,7 @@ ContactReport check_contact_files(const std::vector<std::string>& paths, std::st
     const std::vector<Part> parts = parts_of(loaded.text);
     for (const Part& part : parts) {
       const std::string place = parts.size() > 1 ? printable(path) + ":" + std::to_string(part.line) : name;
-      add(check_contact_certificate(std::string(part.text), asked), place);
+      add(check_contact_certificate(std::string(part.text), required_name), place);
     }
   }
   const auto [accepted, rejected, missing, unreadable] = count;

@@ -11,16 +11,16 @@ namespace {
 constexpr const char* kUsage = "usage: slipproof-check-contact [--problem NAME] FILE...\n";
 
 int check(std::vector<std::string> arguments) {
-  std::string asked;
+  std::string required_name;
   if (arguments.size() >= 3 && arguments[0] == "--problem" && slipproof::check_contact::is_name(arguments[1])) {
-    asked = arguments[1];
+    required_name = arguments[1];
     arguments.erase(arguments.begin(), arguments.begin() + 2);
   }
   if (arguments.empty() || (arguments[0].starts_with("-") && arguments[0] != "-")) {
     std::cerr << kUsage;
     return 2;
   }
-  const auto report = slipproof::check_contact::check_contact_files(arguments, asked);
+  const auto report = slipproof::check_contact::check_contact_files(arguments, required_name);
   std::cout << report.text << report.summary;
   return report.exit_code;
 }

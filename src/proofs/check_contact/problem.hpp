@@ -23,7 +23,7 @@ inline Number dot(const Row& row, const Vector& x) {
   return sum;
 }
 
-/// How forces and velocities of a contact belong together (FORMAT.md, "Laws").
+/// The relation between the force and the velocity of a contact (FORMAT.md, "Laws").
 struct Law {
   enum class Kind { coulomb, box, diamond, fixed, associated, linear, soft };
   Kind kind = Kind::coulomb;
@@ -41,7 +41,7 @@ struct Problem {
   Vector c;
   Law law;
   std::optional<Vector> answer;
-  std::optional<std::string> named;  ///< which problem the file says that this is
+  std::optional<std::string> named;  ///< the name of the problem that the file states
 
   explicit Problem(Reader& reader) {
     reader.expect("slipproof-contact");
@@ -141,11 +141,12 @@ struct Problem {
     return hash.hexadecimal();
   }
 
-  /// That it is the one it says, and the one that was asked about, if one was. Returns which it is, in words.
-  std::string check_name(std::string_view asked) const {
+  /// Checks that the problem has the name that the file states, if any, and `required_name`, if not empty. Returns the
+  /// name in words.
+  std::string check_name(std::string_view required_name) const {
     const std::string own = name();
     if (named && *named != own) throw Rejected("it names the problem " + *named + ", and has the numbers of " + own);
-    if (!asked.empty() && asked != own) throw Rejected("it is about another problem, " + own);
+    if (!required_name.empty() && required_name != own) throw Rejected("it is about another problem, " + own);
     return (named ? "of the problem " : "names no problem, has the numbers of ") + own;
   }
 

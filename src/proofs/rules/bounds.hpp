@@ -23,7 +23,7 @@ struct Bounds {
   std::vector<Quotient> between_or_beyond(const Ring& ring) const;
 };
 
-/// What the conclusion says of the unknown `free`, with these values for all others.
+/// The bounds that the conclusion implies for the unknown `free`, given values of all others.
 Bounds bounds_of(Context& context, State& state, std::size_t free, const std::vector<Quotient>& values);
 
 }  // namespace slipproof::prove

@@ -11,7 +11,7 @@ namespace slipproof::prove {
 struct Quotient {
   Polynomial numerator, denominator;
 
-  std::string text() const;  ///< in the syntax of certificates
+  std::string text() const;  ///< text in the syntax of certificates
 };
 
 Quotient operator/(const Quotient& x, const Quotient& y);

@@ -12,8 +12,8 @@
 namespace slipproof::prove {
 
 struct Solution {
-  std::vector<Quotient> quotients;                 ///< for each unknown, in terms of the unknowns that are left free
-  std::optional<std::vector<std::string>> values;  ///< with 0 for those, where that is defined
+  std::vector<Quotient> quotients;                 ///< by unknown, in terms of the free unknowns
+  std::optional<std::vector<std::string>> values;  ///< values with 0 for the free unknowns, if that is defined
   std::optional<Polynomial> open_pivot;            ///< a factor of unknown sign that stood in the way
 };
 

@@ -8,15 +8,15 @@
 
 namespace slipproof::prove {
 
-/// As Close; also gets the fact that the branch begins with.
+/// Like Close; also receives the fact with which the branch begins.
 using CloseSigned = std::function<bool(State& branch, const Fact& sign)>;
 
 /// Closes all three branches, or leaves the state as it was.
 bool close_split(Context& context, State& state, const Polynomial& p, const Close& close);
 bool close_split(Context& context, State& state, const Polynomial& p, const CloseSigned& close);
 
-/// Polynomials whose sign would help, the most promising first: those of hints, pivots, factors of facts and `open`
-/// factors that the signs of pairs asked for.
+/// Polynomials whose sign would help, the most promising first: hints, pivots, factors of facts, and `open` factors
+/// whose signs the comparison of pairs needs.
 std::vector<Polynomial> split_candidates(Context& context, const State& state, const std::vector<Polynomial>& open);
 
 /// Variables of unknown sign, and differences of variables: the order of a, b, c decides much that is symmetric in

@@ -1,6 +1,6 @@
-// Squares are not negative, which a certificate shows by a split on the sign of what is squared. The squares here are
-// factors of even exponent, and those that completion makes of an inequality that is quadratic in a variable or in a
-// power of one. Each costs a split: they come last, when all else has failed.
+// Uses that squares are not negative. A certificate shows it by a split on the sign of the base. The squares are
+// factors with even exponents, and those from completing the square in an inequality that is quadratic in a variable or
+// in a power of one. Each costs a split, so this rule comes last.
 #pragma once
 
 #include "proofs/branch/context.hpp"

@@ -15,7 +15,7 @@ namespace slipproof::prove {
 
 class Existence {
  public:
-  /// `close` refutes what is left when the values are stated.
+  /// `close` refutes the goals that remain after the values are stated.
   Existence(Context& context, Close close) : context_(context), close_(std::move(close)) {}
 
   /// Tries to prove that the unknowns of the statement exist, in a state of its assumptions.

@@ -18,10 +18,10 @@ struct InstanceSearch {
   std::function<bool(const std::vector<Rational>& values)> accept = {};
 };
 
-/// Rational values of all variables for which the formula is true: simple values are tried for one variable after
-/// another, inside of what the conditions that are linear in it alone allow; what linear equations determine is solved
-/// for. Some attempts add that one of `boundaries` is zero. Of a disjunction a part is chosen first; every other
-/// attempt only looks at one of inequalities in the end. Nothing where `attempts` of both kinds find none.
+/// Rational values of all variables for which the formula is true. Chooses simple values for one variable after
+/// another, within the bounds of the conditions that are linear in it alone, and solves linear equations. Some attempts
+/// require that one of `boundaries` is zero. Each attempt first chooses a part of each disjunction; every other attempt
+/// leaves disjunctions of inequalities to the end. Nothing if `attempts` of both kinds fail.
 std::optional<std::vector<Rational>> find_instance(const Ring& ring, const Formula& formula,
                                                    const InstanceSearch& search);
 

@@ -11,7 +11,7 @@
 
 namespace slipproof {
 
-/// What came of a search for a proof.
+/// The outcome of a search for a proof.
 struct ProofOutcome {
   enum class Verdict : std::uint8_t {
     proved,
@@ -22,12 +22,12 @@ struct ProofOutcome {
   std::string theorem;
   Verdict verdict = Verdict::undecided;
   std::string certificate;  ///< its text, where it is proved
-  /// Where it is proved: from the assumptions alone, which contradict each other, though the conclusion is not `false`.
+  /// True if it is proved because its assumptions contradict each other, although the conclusion is not `false`.
   bool vacuous = false;
   NamedValues counterexample;         ///< values that meet the assumptions, and at which the conclusion is false
-  std::vector<std::string> leftover;  ///< where it is undecided: the sign conditions that the search could not refute
-  bool exhausted = false;             ///< where it is undecided: more steps might do
-  std::uint64_t steps = 0;            ///< of the search for a proof
+  std::vector<std::string> leftover;  ///< if undecided: the sign conditions that the search could not refute
+  bool exhausted = false;             ///< if undecided: more steps might suffice
+  std::uint64_t steps = 0;            ///< steps of the search for a proof
 
   bool proved() const { return verdict == Verdict::proved; }
 };
@@ -37,8 +37,8 @@ std::string_view name(ProofOutcome::Verdict verdict);
 /// Deterministic. Throws InputError.
 ProofOutcome prove_statement(const std::string& file, const std::string& text, const prove::Limits& limits = {});
 
-/// The same for the statement that a formula such as `x^2 + y^2 >= 2*x*y` holds for all real values of its variables
-/// (see formula_statement()). Mistakes have their columns in the formula.
+/// Searches for a proof that a formula such as `x^2 + y^2 >= 2*x*y` holds for all real values of its variables (see
+/// formula_statement()). Mistakes are reported with columns in the formula.
 ProofOutcome prove_formula(const std::string& formula, const prove::Limits& limits = {});
 
 /// Whether a certificate never uses the conclusion of its statement, and so shows that the assumptions contradict each

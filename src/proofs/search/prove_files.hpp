@@ -1,4 +1,4 @@
-// Many statements at once: texts in, certificates out.
+// Proves many statements in parallel: texts in, certificates out.
 #pragma once
 
 #include <filesystem>
@@ -25,26 +25,26 @@ std::filesystem::path certificate_of(std::filesystem::path statement);
 struct StatementSource {
   std::filesystem::path path;
   std::string text;
-  std::optional<std::string> certificate{};  ///< the one that it has so far, or what is in its place
-  std::filesystem::path origin{};            ///< where messages find the text; empty: at `path`
+  std::optional<std::string> certificate{};  ///< its present certificate, or the record in its place
+  std::filesystem::path origin{};            ///< place of the text in messages; empty: `path`
   std::size_t line = 1;                      ///< its first line in that file
 };
 
 /// Reads statements and what they have as certificates. Throws InputError.
 std::vector<StatementSource> read_statements(const std::vector<std::filesystem::path>& paths);
 
-/// What came of one statement.
+/// The outcome for a statement.
 struct FileOutcome {
   std::filesystem::path statement;
   ProofOutcome outcome;
   bool kept = false;  ///< its certificate is accepted: not searched again
 };
 
-/// How far the work is.
+/// The progress of the work.
 struct ProveProgress {
   std::size_t done = 0, all = 0;
-  std::string theorem;      ///< one that is being searched for
-  std::uint64_t steps = 0;  ///< and for how many steps
+  std::string theorem;      ///< a theorem whose search is running
+  std::uint64_t steps = 0;  ///< steps of that search
 };
 
 struct ProveOptions {

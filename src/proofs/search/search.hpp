@@ -23,13 +23,13 @@
 
 namespace slipproof::prove {
 
-/// What a failed search was left with, for a person to read.
+/// The open conditions of a failed search, for users.
 struct Leftover {
   std::vector<std::string> facts;
   bool exhausted = false;  ///< no step was left
 };
 
-/// One search for one statement, which must outlive it. Deterministic.
+/// A search for a proof of a statement, which must outlive it. Deterministic.
 class Search {
  public:
   Search(const Statement& statement, const Limits& limits);

@@ -24,20 +24,20 @@ struct Condition {
 /// Simple values, at random.
 class ValueChoice {
  public:
-  /// With `roots`: conditions that are not linear count, too; values are chosen between their roots, and at them.
+  /// With `roots`, nonlinear conditions count, too: values are chosen between their roots, and at them.
   ValueChoice(const Ring& ring, std::mt19937_64& random, bool roots) : ring_(ring), random_(random), roots_(roots) {}
 
-  /// Nothing where no value was found that the conditions allow.
+  /// A value that the conditions allow; nothing if none was found.
   std::optional<Rational> choose(std::size_t v, const std::vector<Condition>& conditions);
 
  private:
-  /// Small and large ones, too, where nothing is known of what is wanted.
+  /// A value for a variable without conditions, sometimes a very small or large one.
   Rational anything();
   Rational simple();
   /// Anything between the ends, if there are any.
   Rational between(const std::optional<Rational>& lower, const std::optional<Rational>& upper);
-  /// One of the values between the roots of conditions in v alone, and at them, at which these hold; as there may be
-  /// none, nothing may come of it.
+  /// One of the values between or at the roots of the conditions in v alone, at which these hold; nothing if there is
+  /// none.
   std::optional<Rational> choose_by_roots(std::size_t v, const std::vector<const Condition*>& conditions);
 
   const Ring& ring_;

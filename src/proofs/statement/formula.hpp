@@ -14,7 +14,7 @@ enum class Sign { zero, positive, non_negative };  // p = 0, p > 0, p >= 0
 struct Formula {
   enum class Kind { atom, conjunction, disjunction };
   Kind kind = Kind::conjunction;
-  std::vector<Polynomial> polynomial;  ///< of an atom: one
+  std::vector<Polynomial> polynomial;  ///< one for an atom, otherwise empty
   Sign sign = Sign::zero;
   std::vector<Formula> parts;
 };
@@ -56,7 +56,7 @@ inline Formula negation(const Formula& formula) {
   return result;
 }
 
-/// Whether the formula is true, where that does not depend on any variable.
+/// The truth of the formula, if it does not depend on any variable.
 inline std::optional<bool> evident(const Formula& formula) {
   if (formula.kind == Formula::Kind::atom) {
     const Polynomial& p = formula.polynomial.front();

@@ -34,11 +34,11 @@ struct Step {
   enum class Rule { have, contradiction, split, cases, witness };
   Rule rule = Rule::contradiction;
   std::string name;
-  std::vector<Polynomial> polynomial;  ///< of `have` and `split`: one
-  Sign sign = Sign::zero;              ///< of `have`
+  std::vector<Polynomial> polynomial;  ///< one for `have` and `split`
+  Sign sign = Sign::zero;              ///< sign that `have` claims
   std::vector<Identity> identities;    ///< two where `have` claims an equation
   std::vector<Proof> branches;
-  std::vector<std::pair<std::string, std::string>> values;  ///< of `witness`
+  std::vector<std::pair<std::string, std::string>> values;  ///< values of `witness`
 };
 
 /// Removes what the proof does not use: derived facts, and splits with a branch that needs no split. Clears

@@ -14,7 +14,7 @@ namespace slipproof {
 /// The names that a statement has given so far.
 struct GivenNames {
   std::set<std::string, std::less<>> values;    ///< variables, unknowns, and what `let` abbreviates
-  std::set<std::string, std::less<>> formulas;  ///< what `define` abbreviates
+  std::set<std::string, std::less<>> formulas;  ///< names that `define` abbreviates
 };
 
 /// Trees for expressions and formulas. In the place of a formula, a formula's name is a symbol and `false` the truth
@@ -23,18 +23,18 @@ struct GivenNames {
 /// first mistake.
 class StatementLine {
  public:
-  /// Both must outlive the object.
+  /// Splits a line into words. The arguments must outlive the object.
   StatementLine(std::string_view line, const GivenNames& given);
 
   bool at_end() const { return next_ == tokens_.size(); }
-  std::string name();  ///< one that is in the form of names
+  std::string name();  ///< reads a name
   std::string take() { return std::string(tokens_.at(next_++).text); }
   bool accept(std::string_view token);
   void expect(std::string_view token);
   void expect_end() const;
   Expression expression();
   Expression formula();
-  std::size_t column() const;                                 ///< of the next word, from 1
+  std::size_t column() const;                                 ///< column of the next word, from 1
   [[noreturn]] void fail(const std::string& expected) const;  ///< found ..., expected ...
 
  private:

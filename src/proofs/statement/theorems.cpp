@@ -118,7 +118,7 @@ std::filesystem::path file_of(const std::filesystem::path& path) {
   return is_theorem_file(path.parent_path()) ? path.parent_path() : path;
 }
 
-const TheoremFile* TheoremTexts::whole(const std::filesystem::path& file) {
+const TheoremFile* TheoremTexts::read_once(const std::filesystem::path& file) {
   const auto [place, is_new] = files_.try_emplace(file);
   if (is_new) {
     try {
@@ -134,7 +134,7 @@ std::optional<std::string> TheoremTexts::at(const std::filesystem::path& path) {
   const std::filesystem::path file = file_of(path);
   if (file != path) {
     const std::scoped_lock lock(mutex_);
-    const TheoremFile* const found = whole(file);
+    const TheoremFile* const found = read_once(file);
     return found == nullptr ? std::nullopt : part_of(*found, path.filename());
   }
   std::error_code error;
@@ -150,7 +150,7 @@ std::size_t TheoremTexts::line_of(const std::filesystem::path& statement) {
   const std::filesystem::path file = file_of(statement);
   if (file == statement) return 1;
   const std::scoped_lock lock(mutex_);
-  const TheoremFile* const found = whole(file);
+  const TheoremFile* const found = read_once(file);
   const Theorem* const theorem = found == nullptr ? nullptr : found->find(statement.stem().string());
   return theorem == nullptr ? 1 : theorem->line;
 }

@@ -128,7 +128,7 @@ class Rewriter {
       } else if (directive.body && occurs(directive.body)) {
         std::string& line = lines_[directive.line - 1];
         line = line.substr(0, directive.kind == Kind::show ? line.find("show") + 4 : line.find(':') + 1) + ' ' +
-               formula(directive.body, false);
+               formula_text(replaced(directive.body));
       }
     }
     for (const SplitHint& hint : statement_.hints) {
@@ -152,14 +152,12 @@ class Rewriter {
            std::any_of(e->operands.begin(), e->operands.end(), [this](const Expression& part) { return occurs(part); });
   }
 
-  std::string formula(const Expression& e, bool inner) {
-    if (!is_joined(e)) return occurs(e) ? "false" : to_string(e);
-    std::string result;
-    for (const Expression& part : e->operands) {
-      const char* word = e->operation == Operation::logical_and ? " and " : " or ";
-      result += (result.empty() ? "" : word) + formula(part, true);
-    }
-    return inner ? "{" + result + "}" : result;
+  /// The formula with `false` for each comparison that divides by the zero polynomial.
+  Expression replaced(const Expression& e) {
+    if (!is_joined(e)) return occurs(e) ? make_truth(false) : e;
+    std::vector<Expression> parts;
+    for (const Expression& part : e->operands) parts.push_back(replaced(part));
+    return make(e->operation, std::move(parts));
   }
 
   StatementText statement_;

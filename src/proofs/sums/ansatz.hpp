@@ -31,20 +31,20 @@ struct Ansatz {
   std::vector<Multiple> multiples;
 };
 
-/// How large the parts are.
+/// The sizes of the parts.
 struct Shape {
-  unsigned long degree = 2;  ///< of all of them, even
+  unsigned long degree = 2;  ///< degree of all parts, even
   int factors = 1;           ///< facts in a product, at most
   /// Products are strict also times a sum of squares of forms, which is so where these are not all 0.
   bool lifted = false;
 };
 
-/// Nothing where it would be too large.
+/// Makes an ansatz; nothing if it would be too large.
 std::optional<Ansatz> make_ansatz(Context& context, const State& state, const Shape& shape);
 
-/// Leaves out what cannot take part: squares of a monomial that nothing else cancels. Then sorts the monomials of each
-/// block into those that the signs of variables tell apart, where all facts are even in them, into blocks of their own.
-/// False if nothing strict is left. For bases of monomials.
+/// Removes monomials that cannot occur, because nothing else cancels their squares. If all facts are even in some
+/// variables, then splits each block by the parities of its monomials in these. Returns false if no strict part is
+/// left. Requires bases of monomials.
 bool simplify(Context& context, Ansatz& ansatz);
 
 unsigned long degree_of(const Polynomial& p);

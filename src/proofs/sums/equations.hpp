@@ -41,7 +41,7 @@ class Equations {
   bool is_entry(std::size_t column) const { return column >= entries_from_ && column < constant_; }
 
   const Ansatz& ansatz_;
-  std::vector<MatrixPlace> places_;  ///< of the columns from entries_from_ on
+  std::vector<MatrixPlace> places_;  ///< places of the columns from entries_from_ on
   std::size_t entries_from_ = 0, constant_ = 0, of_multiples_ = 0;
   std::vector<Solved> rows_;
   bool contradictory_ = false;

@@ -1,7 +1,7 @@
-// Facial reduction. Where a form has zeros, or a part of an ansatz cannot take part, every matrix that meets the
-// equations has the same vectors in its kernel, and no rounded one keeps them. So the kernel is read off a matrix in
-// binary64, guessed as rational vectors, and the basis restricted to what is orthogonal to them: there matrices with an
-// inverse may be left, which can be rounded. A wrong guess costs a proof, never makes one.
+// Facial reduction. If a form has zeros, or if a part of an ansatz must vanish, all matrices that satisfy the equations
+// share vectors in their kernels, and rounding destroys this. So the kernel is computed in binary64, its vectors are
+// guessed as rational ones, and the basis is restricted to their orthogonal complement, where invertible matrices may
+// remain, which can be rounded. A wrong guess can cost a proof, but cannot create one.
 #pragma once
 
 #include <optional>

@@ -9,7 +9,7 @@
 
 namespace slipproof::prove::sums {
 
-/// Of a symmetric matrix: row <= column, and an entry off the diagonal stands for both of its places.
+/// A place in a symmetric matrix: row <= column; an entry off the diagonal counts for both of its places.
 struct MatrixPlace {
   std::size_t block = 0, row = 0, column = 0;
 };
@@ -21,7 +21,7 @@ struct MatrixEquation {
 };
 
 struct MatrixEquations {
-  std::vector<std::size_t> sizes;  ///< of the blocks
+  std::vector<std::size_t> sizes;  ///< sizes of the blocks
   std::vector<MatrixEquation> equations;
 };
 

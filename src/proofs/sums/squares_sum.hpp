@@ -11,7 +11,7 @@ namespace slipproof::prove::sums {
 struct Square {
   Rational coefficient;
   Product product;
-  bool strict = false;  ///< all facts of the product are
+  bool strict = false;  ///< true if all facts of the product are strict
   Polynomial root;
   Polynomial worth;
 };
@@ -23,7 +23,7 @@ struct SumOfSquares {
   std::vector<std::pair<std::string, Polynomial>> equations;
 };
 
-/// For an ansatz that simplify() left something of.
+/// Finds a sum of squares. Call it after simplify(), which must have returned true.
 std::optional<SumOfSquares> find_sum_of_squares(Context& context, const Ansatz& ansatz);
 
 }  // namespace slipproof::prove::sums

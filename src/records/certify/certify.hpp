@@ -32,7 +32,7 @@ struct CertifySummary {
   bool all_certified() const { return records > 0 && count(RecordVerdict::certified) == records; }
 };
 
-/// Receives whole output lines, in the order of the records.
+/// Receives complete output lines, in the order of the records.
 using LineSink = std::function<void(std::string_view)>;
 /// Receives the number of records judged so far, in ascending order.
 using Progress = std::function<void(std::uint64_t)>;
@@ -44,7 +44,7 @@ using Progress = std::function<void(std::uint64_t)>;
 CertifySummary certify(const ByteSource& input, const LineSink& output, const CertifyOptions& options,
                        const Progress& progress = {});
 
-/// The same for a stream, which is read in blocks.
+/// Certifies a stream, which is read in blocks.
 CertifySummary certify(std::istream& input, const LineSink& output, const CertifyOptions& options,
                        const Progress& progress = {});
 

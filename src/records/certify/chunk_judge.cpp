@@ -59,7 +59,7 @@ class LineGroup {
 class LineJudge {
  public:
   LineJudge(const RecordJudge& judge, const RecordReader& reader, const CertifyOptions& options, std::string_view chunk)
-      : judge_(judge), reader_(reader), options_(options), chunk_(chunk), usual_(reader.usual_lines()) {}
+      : judge_(judge), reader_(reader), options_(options), chunk_(chunk), plain_(reader.plain_lines()) {}
 
   /// Throws BrokenRecord. The judgement may come later, but before finish() returns.
   void judge(std::string_view line, std::uint64_t at, RecordJudgement& judgement) {
@@ -67,7 +67,7 @@ class LineJudge {
     if (options_.as_files() && !may_be_problem) {
       throw BrokenRecord{0, "found a record, expected a contact problem, which --law and --within are for"};
     }
-    if (reader_.has_usual_lines() && read_usual(line, judgement)) return;
+    if (reader_.has_plain_lines() && read_plain(line, judgement)) return;
     // A record has no lists.
     const bool looks_like_problem = may_be_problem && (options_.as_files() || line.find('[') != std::string_view::npos);
     if (!looks_like_problem || !judge_problem_of(line, at, judgement)) judge_record(line, at, judgement);
@@ -75,7 +75,7 @@ class LineJudge {
 
   void finish() {
     for (const auto& group : groups_) group->finish();
-    usual_.forget();
+    plain_.forget();
   }
 
  private:
@@ -117,19 +117,19 @@ class LineJudge {
     }
     if ((*found)->block().full()) {
       (*found)->finish();
-      usual_.forget();
+      plain_.forget();
     }
     return **found;
   }
 
-  bool read_usual(std::string_view line, RecordJudgement& judgement) {
-    LineGroup& usual = group(reader_.usual_fields());
-    if (!reader_.read_usual({line, chunk_}, usual_, usual.block())) return false;
-    usual.set_line(line, judgement);
+  bool read_plain(std::string_view line, RecordJudgement& judgement) {
+    LineGroup& plain = group(reader_.plain_fields());
+    if (!reader_.read_plain({line, chunk_}, plain_, plain.block())) return false;
+    plain.set_line(line, judgement);
     return true;
   }
 
-  /// Judges a line that is not a usual one.
+  /// Judges a line that is not a plain one.
   void judge_record(std::string_view line, std::uint64_t at, RecordJudgement& judgement) {
     reader_.read(line, record_);
     if (record_.not_finite) {
@@ -139,14 +139,14 @@ class LineJudge {
     LineGroup& own = group(record_.present);
     own.block().add(record_);
     own.set_line(line, judgement);
-    usual_.forget();  // a usual line after it may have no row before
+    plain_.forget();  // a plain line after it may have no row before
   }
 
   const RecordJudge& judge_;
   const RecordReader& reader_;
   const CertifyOptions& options_;
   std::string_view chunk_;
-  UsualLines usual_;
+  PlainLines plain_;
   std::vector<std::unique_ptr<LineGroup>> groups_;
   Record record_;
 };

@@ -1,4 +1,4 @@
-// Judges the lines of a chunk, whatever kind of records they are.
+// Judges the lines of a chunk, for all kinds of records.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@ class ChunkJudge {
   ChunkJudge(const CertifyOptions& options, ChunkReader& chunks);
   ~ChunkJudge();
 
-  /// May be called by many threads at once.
+  /// May be called by several threads.
   Judged judge(const Chunk& chunk) const;
 
  private:

@@ -48,7 +48,7 @@ struct RecordColumns {
 
   const RecordFields* fields;
   std::size_t records;
-  std::vector<NumberColumn> numbers;  ///< by field; taken exactly; NaN and infinities make an answer invalid
+  std::vector<NumberColumn> numbers;  ///< by field; used exactly; NaN and infinities make an answer invalid
   CodeColumn modes{};  ///< the modes that the solver claims, as numbers among the fields' modes, or no_mode
 
   /// Throws std::invalid_argument for a name that is not a field.
@@ -73,8 +73,8 @@ class ColumnsJudge {
   /// The complete judgement of one record.
   RecordJudgement operator()(std::size_t record) const;
 
-  /// Calls see(record, judgement) for the records from `begin` to `end` - 1, in order. Most records are certified
-  /// several at once in vector registers.
+  /// Calls see(record, judgement) for the records from `begin` to `end` - 1, in order. Most records are certified in
+  /// groups, in vector registers.
   void each(std::size_t begin, std::size_t end,
             const std::function<void(std::size_t record, const RecordJudgement& judgement)>& see) const;
 

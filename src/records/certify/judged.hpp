@@ -45,7 +45,7 @@ struct Judged {
   }
 };
 
-/// Records of a piece. They are judged several at once and written in their order.
+/// The records of a piece. Judges them in groups and writes them in order.
 class JudgedRecords {
  public:
   /// `bytes`: the expected length of the output, at least.
@@ -113,8 +113,8 @@ inline void write_judged(const Judged& judged, CertifySummary& summary, const Ce
   if (progress) progress(summary.records);
 }
 
-/// next(piece) reads a piece and returns false at the end. judge(piece) returns its results; it is called in any order
-/// and from many threads at once. The results are written in the order of the pieces.
+/// Judges pieces in parallel. next(piece) reads a piece and returns false at the end. judge(piece) returns its results;
+/// it is called in any order and by several threads. Writes the results in the order of the pieces.
 template <class Piece, class Next, class Judge>
 CertifySummary judge_in_order(const CertifyOptions& options, const LineSink& output, const Progress& progress,
                               const Next& next, const Judge& judge) {

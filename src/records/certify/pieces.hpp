@@ -20,10 +20,10 @@ class RecordPieces {
   /// Reads options.file, which is CSV or JSON Lines. Ignores options.judged. Throws InputError.
   explicit RecordPieces(CertifyOptions options);
 
-  /// What the results depend on apart from the options: the file's name, size and time of change.
+  /// Identifies the input: the file's name, size and time of change. Results depend on it and on the options only.
   std::string input() const;
 
-  /// The service of a crew: judges the lines of a piece. May be called by many threads at once. Throws InputError.
+  /// The service of a crew: judges the lines of a piece. May be called by several threads. Throws InputError.
   std::string answer(std::string_view request) const;
 
   /// Does the work of certify() by a crew whose service is answer(). Throws what certify() and Crew::each() throw.
@@ -39,7 +39,7 @@ class RecordPieces {
   CertifyOptions options_;
   ByteFile bytes_;
   std::vector<Piece> pieces_;          ///< a request is the number of one
-  std::optional<InputError> mistake_;  ///< what is wrong after the last piece
+  std::optional<InputError> mistake_;  ///< the mistake after the last piece, if any
   std::optional<ChunkJudge> judge_;
 };
 

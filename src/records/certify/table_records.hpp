@@ -6,10 +6,10 @@
 
 namespace slipproof {
 
-/// certify() of the rows of a table: the same lines for the same numbers, in memory that does not grow with their
-/// number. Columns are called as those of CSV. `mode` is a text, or a number among RecordFields::modes(), -1 for none;
-/// words such as those of `kind` may be numbers, too. Integers that are no binary64 are rounded to one. Throws
-/// InputError for columns that cannot be used, all of them at once, and for a file that is damaged.
+/// Certifies the rows of a table; gives the same lines as a CSV file with the same numbers, in memory independent of
+/// the number of rows. Columns have the names of CSV columns. `mode` is a text, or an index into RecordFields::modes(),
+/// -1 for none; words such as those of `kind` may also be numbers. Integers are rounded to binary64. Throws InputError
+/// with all unusable columns, and for a damaged file.
 CertifySummary certify(Table table, const LineSink& output, const CertifyOptions& options,
                        const Progress& progress = {});
 

@@ -13,33 +13,33 @@
 
 namespace slipproof {
 
-/// How near an answer is to a motion: the largest error of an acceleration over the largest acceleration of its kind
-/// (contact/problem/yardstick.hpp).
+/// The verdict on an answer, by its distance from a motion: the largest error of an acceleration over the largest
+/// acceleration of its kind (contact/problem/yardstick.hpp).
 enum class EngineVerdict : std::uint8_t {
   right,      ///< within `engine_right`
   near,       ///< within `contact_near`
   wrong,      ///< no motion is near
-  undecided,  ///< not all motions were found within the effort
+  undecided,  ///< the effort did not suffice to find all motions
   refused,    ///< the engine cannot have the scene
   failed      ///< it crashed, did not answer in time, or answered with a number that is not finite
 };
 inline constexpr std::size_t engine_verdict_count = 6;
 std::string_view name(EngineVerdict verdict);
 
-/// Engines iterate: what is within a thousandth is right.
+/// Engines iterate, so an answer is right if it is within 0.1 %.
 inline constexpr double engine_right = 1e-3;
 
 struct JudgedEngineAnswer {
   EngineAnswer answer;
   EngineVerdict verdict = EngineVerdict::failed;
-  std::optional<double> distance;  ///< from the nearest motion; nothing where there is none
+  std::optional<double> distance;  ///< distance from the nearest motion; nothing if there is no motion
 };
 
 struct EngineScene {
   std::string name;  ///< CLASS/NAME
   std::filesystem::path file;
   MechanismScene scene;
-  std::vector<JudgedEngineAnswer> answers;  ///< by engine, then as they were asked
+  std::vector<JudgedEngineAnswer> answers;  ///< by engine, then in the order of the file
 
   std::string class_name() const { return name.substr(0, name.find('/')); }
 };
@@ -53,9 +53,9 @@ struct JudgedEngines {
 /// Whether a folder has `scenes` and `answers`.
 bool is_engines_folder(const std::filesystem::path& folder);
 
-/// How the contacts of engines differ from rigid ones on purpose, by engine: `design` in a file like
-/// cases/engines/engines.toml. Its other keys are for those who ask the engines. Empty without the file. Throws
-/// InputError.
+/// For each engine, how its contacts differ from rigid ones by design: the key `design` in a file like
+/// cases/engines/engines.toml, whose other keys are for the scripts that run the engines. Empty without the file.
+/// Throws InputError.
 std::map<std::string, std::string> engine_designs(const std::filesystem::path& file);
 
 /// Reads FOLDER/scenes/CLASS/NAME.toml, FOLDER/answers/ENGINE.jsonl and, if it is there, FOLDER/engines.toml, and

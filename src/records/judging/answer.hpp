@@ -16,7 +16,8 @@ namespace slipproof {
 /// Forces that a file declares itself set no yardstick.
 class RecordAnswer {
  public:
-  /// All arguments must outlive it. `problem` is the problem at the record's point, with its equations.
+  /// Reads the answer of a record. All arguments must outlive it. `problem` is the problem at the record's point, with
+  /// its equations.
   RecordAnswer(const RecordSetting& setting, const Record& record, const FrictionProblem& problem,
                const std::optional<Rational>& load)
       : setting_(setting), record_(record), problem_(problem), load_(load) {}
@@ -27,7 +28,7 @@ class RecordAnswer {
 
  private:
   struct Component {
-    AffineForm form;  ///< on the solutions of the mode
+    AffineForm form;  ///< form on the solutions of the mode
     bool open = false;
   };
   std::vector<Component> components(const AffineSpace& space) const;

@@ -14,7 +14,7 @@
 
 namespace slipproof {
 
-/// For one thread only; the judge must outlive it.
+/// Judges blocks of records. For one thread only; the judge must outlive it.
 class BlockJudge {
  public:
   explicit BlockJudge(const RecordJudge& judge);
@@ -32,8 +32,8 @@ class BlockJudge {
   };
   static Number number_of(const Rational& x);
 
-  /// Where an input of the mechanism comes from: from nowhere, from a number that is the same for all records, from a
-  /// field, from the difference of a field or number and a field, or, if binary64 cannot compute it, from the kernel.
+  /// The source of an input of the mechanism: none, a number that is the same for all records, a field, the difference
+  /// of a field or number and a field, or, if binary64 cannot compute it, the kernel.
   struct Source {
     enum class Kind : std::uint8_t { none, same, field, difference, exact_only };
     Kind kind = Kind::none;
@@ -59,7 +59,7 @@ class BlockJudge {
 
   const RecordJudge& judge_;
   RecordBlock part_;                        ///< records with the same word
-  std::vector<Number> base_, base_angles_;  ///< what is the same for all records: parameters and the load; angles
+  std::vector<Number> base_, base_angles_;  ///< values common to all records: parameters and the load; angles
   std::optional<std::vector<bool>> present_;
   const MechanismBatch* batch_ = nullptr;
   bool able_ = false;

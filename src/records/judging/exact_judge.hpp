@@ -10,10 +10,11 @@ namespace slipproof {
 
 class KnownPoint;
 
-/// Records at the same point as the one before share what is found there. Not shared between threads.
+/// Judges records exactly. Reuses the results at a point for the next record if it has the same point. Not for use by
+/// several threads.
 class ExactJudge {
  public:
-  /// What `setting` refers to must outlive it.
+  /// References in `setting` must outlive it.
   ExactJudge(const RecordSetting& setting, const JudgeOptions& options);
   ~ExactJudge();
 
@@ -24,7 +25,7 @@ class ExactJudge {
  private:
   RecordSetting setting_;
   JudgeOptions options_;
-  std::unique_ptr<KnownPoint> known_;  ///< of the record before
+  std::unique_ptr<KnownPoint> known_;  ///< point of the previous record
 };
 
 }  // namespace slipproof

@@ -1,4 +1,4 @@
-// Describes as JSON which motions are right, and what is wrong with an answer.
+// Describes as JSON the correct motions, and why an answer is wrong.
 #pragma once
 
 #include <optional>
@@ -20,9 +20,9 @@ class Explanation {
 
   /// Adds `found`, `continua` and `hysteresis`: all motions that exist.
   void add_motions(Json& details) const;
-  /// Adds what is wrong with the mode that a record claims.
+  /// Adds why the mode that a record claims is wrong.
   void add_claimed(Json& details, const MechanismMode& mode, const MechanismValues& values) const;
-  /// The same for the mode that an answer suggests, if it has the forces of all contacts.
+  /// The same for the mode that an answer suggests; needs the forces of all contacts.
   void add_likely(Json& details, const Record& record, const MechanismValues& values) const;
   /// The mode that the forces of the contacts suggest, so far as the record has them. Only for mechanisms without other
   /// elements.

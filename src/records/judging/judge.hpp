@@ -31,9 +31,9 @@ struct JudgeOptions {
   /// yardstick of its kind if that is larger. Beyond this the answer is wrong.
   double near = 1e-2;
   /// The work allowed for one record; beyond it the verdict is undecided.
-  Work effort = ContactSolver::usual_effort;
-  /// For contact problems: also decide whether there is one solution for every q. This depends on W and mu alone, so it
-  /// need not be asked for many records of one system. It takes as long as the verdict, or twice as long.
+  Work effort = ContactSolver::default_effort;
+  /// For contact problems: also decide whether there is exactly one solution for every q. This depends on W and mu
+  /// only, so one record of a system suffices. It takes once or twice the time of the verdict.
   bool every_q = false;
 };
 
@@ -44,10 +44,10 @@ struct RecordJudgement {
   std::vector<std::uint16_t> modes =
       {};                       ///< modes of the motion that the answer is, as numbers among the fields' modes
   std::string mode_names = {};  ///< the same modes, or those of a contact problem, as JSON texts without the brackets
-  std::size_t motions = 0;      ///< how many motions the scene has
+  std::size_t motions = 0;      ///< number of motions of the scene
   bool counted = true;          ///< whether they were looked for
   bool continuum = false;       ///< there are also infinitely many others
-  bool others_excluded = true;  ///< of a certified one: it is proved that there is no other
+  bool others_excluded = true;  ///< for a certified answer: it is proved that there is no other motion
   /// Upper bound on the largest relative error of a component, if certified, ambiguous or inaccurate.
   double max_error = 0;
   /// Upper bound on Distance::scaled to the nearest motion, of a wrong answer, too; nothing where none is known, or
@@ -57,7 +57,7 @@ struct RecordJudgement {
   std::string details = {};  ///< further JSON members, `,"violated":...`; empty for a certified record
   /// For a contact problem with rho: bound on the distance from the answer to a solution, in each component.
   double rho = 0;
-  std::string members = {};  ///< all JSON members after the record's number, if they differ from the usual ones
+  std::string members = {};  ///< all JSON members after the record's number, if not the default ones
 
   /// Adds a mode of the motion.
   void add_mode(std::uint16_t mode, std::string_view name);

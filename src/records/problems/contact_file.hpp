@@ -12,24 +12,23 @@ namespace slipproof {
 
 struct ContactFileOptions {
   ContactJudgeOptions judge;
-  std::optional<SolverAnswer> answer;  ///< from a separate file; replaces those in the problem's file
-  std::optional<FrictionLaw> law;      ///< in place of the one that the problem names
+  std::optional<SolverAnswer> answer;  ///< answer from a separate file; replaces those in the problem's file
+  std::optional<FrictionLaw> law;      ///< replaces the law that the problem names
 };
 
 /// A judged answer to a problem.
 struct JudgedAnswer {
   std::string origin;  ///< `/solution`, a file's name, `found here`
   ContactJudgement judgement;
-  std::optional<ContactJudgement>
-      coulomb;  ///< of the same forces, by Coulomb's law for rigid bodies, where that differs
+  std::optional<ContactJudgement> coulomb;  ///< the same forces under Coulomb's law for rigid bodies, if that differs
 };
 
 /// A problem and everything that was found about it. It must not move, because enclosures point into it.
 struct JudgedProblem {
   std::string file;
   ProblemFile problem;
-  MixedProblem mixed;                 ///< with the solver's law, compliance and bias
-  std::optional<MixedProblem> rigid;  ///< with Coulomb's law and without them, where that differs
+  MixedProblem mixed;                 ///< the problem with the solver's law, compliance and bias
+  std::optional<MixedProblem> rigid;  ///< the problem with Coulomb's law, without compliance and bias, if that differs
   std::vector<JudgedAnswer> answers;
 
   JudgedProblem(std::string name, ReadProblem read, const ContactFileOptions& options);

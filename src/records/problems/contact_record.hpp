@@ -10,7 +10,7 @@
 
 namespace slipproof {
 
-/// What read() returns of a line; an InputError that it throws becomes a BrokenRecord.
+/// Calls read() and returns its result; turns an InputError into a BrokenRecord.
 template <class Read>
 auto of_line(const Read& read) {
   try {

@@ -6,13 +6,13 @@
 
 namespace slipproof {
 
-/// Which verdict on a record a verdict on an answer to a contact problem is. `certified` is a solution within rho or
-/// the only one, `inaccurate` also an eps-solution, `wrong` also a problem without a solution, near the answer or at
-/// all.
+/// Translates a verdict on an answer to a contact problem into a verdict on a record. `certified`: a solution within
+/// rho, or the only one; `inaccurate` includes eps-solutions; `wrong` includes problems without a solution, near the
+/// answer or at all.
 RecordVerdict record_verdict(ContactVerdict verdict);
 
-/// By judge_small() with options.tolerance; options.near is not used. Requires that mistake_in(problem) is empty and
-/// that `answer` has the size of the problem.
+/// Judges an answer by judge_small() with options.tolerance; ignores options.near. Requires that mistake_in(problem) is
+/// empty and that `answer` has the size of the problem.
 RecordJudgement judge_problem(const ContactProblem& problem, const ProblemAnswer& answer, const JudgeOptions& options);
 
 }  // namespace slipproof

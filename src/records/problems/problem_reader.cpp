@@ -16,7 +16,7 @@ class ExactProblem {
 
   ProblemRecord read(bool ignore_unknown) {
     ContactProblem& problem = record_.problem;
-    problem.q = list(json_.need("q", "a list of numbers"), "q");
+    problem.q = json_.numbers(json_.need("q", "a list of numbers"), "q", [&](const JsonNode& x) { return number(x); });
     const std::size_t n = problem.q.size();
     if (n == 0 || n > max_problem_size) refuse(json_.file(), mistake_in(problem));
     problem.W.assign(n, std::vector<Rational>(n));
@@ -34,14 +34,10 @@ class ExactProblem {
  private:
   void read_coefficients() {
     ContactProblem& problem = record_.problem;
-    const JsonNode& mu = json_.need("mu", "a coefficient of friction, or one for each contact");
-    const bool each = mu.kind == JsonNode::Kind::list;
-    if (each) problem.mu = list(mu, "mu");
-    const auto coefficients = each ? std::optional(problem.mu.size()) : std::nullopt;
-    if (json_.dimension(problem.size(), coefficients) != 2) {
-      json_.refuse("dimension", "found nothing, and contacts of 3 components, expected \"dimension\": 3 for those");
-    }
-    if (!each) problem.mu.assign(problem.size() / 2, json_.at(mu, "mu", [&] { return number(mu); }));
+    std::size_t dimension = 0;
+    problem.mu = json_.coefficients(problem.size(), dimension, [&](const JsonNode& x) { return number(x); });
+    if (dimension == 2) return;
+    json_.refuse("dimension", "found nothing, and contacts of 3 components, expected \"dimension\": 3 for those");
   }
 
   void read_mode() {
@@ -53,12 +49,6 @@ class ExactProblem {
     json_.refuse("mode", "found " + in_quotes(mode->text) + ", expected " +
                              (problem.frictional() ? "states like stick/slip+/lift, one for each contact"
                                                    : "letters z and w, one for each component"));
-  }
-
-  std::vector<Rational> list(const JsonNode& node, const std::string& where) {
-    std::vector<Rational> result;
-    json_.each_number(node, where, [&](const JsonNode& x) { result.push_back(number(x)); });
-    return result;
   }
 
   /// A part of the answer, in which NaN and infinities become 0 and are told.

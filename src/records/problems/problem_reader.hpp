@@ -15,8 +15,8 @@ struct ProblemRecord {
   std::optional<NotFinite> not_finite;  ///< the first number of the answer that is NaN or infinite
 };
 
-/// Of an object that is no large problem (JsonProblem::is_large). A decimal means the nearest binary64 unless
-/// `decimal_exact`. `line` is what `json` was read from. Throws InputError.
+/// Reads a problem from an object; not for large problems (JsonProblem::is_large). A decimal means the nearest binary64
+/// unless `decimal_exact`. `line` is the text of `json`. Throws InputError.
 ProblemRecord read_problem(const JsonProblem& json, std::string_view line, bool decimal_exact, bool ignore_unknown);
 
 }  // namespace slipproof

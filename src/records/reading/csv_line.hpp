@@ -1,4 +1,4 @@
-// Headers and lines of CSV, whatever kind of records they contain.
+// Headers and lines of CSV, for all kinds of records.
 #pragma once
 
 #include <fast_float/fast_float.h>
@@ -52,15 +52,15 @@ struct CsvLine {
   std::string_view around = line;  ///< text that may be read; it contains the line
 };
 
-/// The number in a usual cell, that is, a cell with a finite decimal and nothing else.
-inline std::optional<double> usual_number(std::string_view cell) {
+/// The number in a plain cell, which contains a finite decimal and nothing else; nothing for other cells.
+inline std::optional<double> plain_number(std::string_view cell) {
   double value = 0;
   const auto [stop, error] = fast_float::from_chars(cell.data(), cell.data() + cell.size(), value);
-  const bool usual = error == std::errc() && stop == cell.data() + cell.size() && std::isfinite(value);
-  return usual ? std::optional(value) : std::nullopt;
+  const bool plain = error == std::errc() && stop == cell.data() + cell.size() && std::isfinite(value);
+  return plain ? std::optional(value) : std::nullopt;
 }
 
-/// Reads the cells of a line. Calls set(column, value) for a usual number, put(column, text, place) for all other cells
+/// Reads the cells of a line. Calls set(column, value) for a plain number, put(column, text, place) for all other cells
 /// that are not ignored. Columns of numbers count from 0; an empty cell in one is skipped. Throws BrokenRecord.
 template <class Set, class Put>
 void read_cells(std::string_view line, const std::vector<int>& columns, bool decimal_exact, const Set& set,
@@ -77,7 +77,7 @@ void read_cells(std::string_view line, const std::vector<int>& columns, bool dec
     const std::string_view text = line.substr(begin, comma - begin);
     begin = comma + 1;
     if (column >= 0 && !decimal_exact) {
-      if (const auto number = usual_number(text)) {
+      if (const auto number = plain_number(text)) {
         set(column, *number);
         continue;
       }
@@ -99,11 +99,11 @@ inline std::size_t common_length(std::string_view a, std::string_view b) {
   return i;
 }
 
-/// Reads usual lines in order: lines with numbers and known texts only. In many tables the first columns stay the same
-/// over several lines. Therefore cells before the first byte that differs from the line before are not read again.
-class UsualLines {
+/// Reads plain lines in order: lines with plain numbers and known texts only. Does not read cells before the first byte
+/// that differs from the previous line again, since in many tables the first columns repeat.
+class PlainLines {
  public:
-  explicit UsualLines(const std::vector<int>& columns)
+  explicit PlainLines(const std::vector<int>& columns)
       : columns_(columns), numbers_(columns.size() + 1), ends_(columns.size()) {
     for (std::size_t i = columns.size(); i-- > 0;) numbers_[i] = columns[i] < 0 ? 0 : numbers_[i + 1] + 1;
   }
@@ -147,7 +147,7 @@ class UsualLines {
     std::uint32_t unread = read_decimals(line.line, line.around, begin(i), std::span(ends_).subspan(i, count), values);
     for (; unread != 0; unread &= unread - 1) {
       const auto k = static_cast<std::size_t>(std::countr_zero(unread));
-      const auto number = usual_number(cell(line, i + k));
+      const auto number = plain_number(cell(line, i + k));
       if (!number) return false;
       values[k] = *number;
     }
@@ -157,7 +157,7 @@ class UsualLines {
   }
 
   const std::vector<int>& columns_;
-  std::vector<std::size_t> numbers_;  ///< from each column on: how many columns of numbers follow each other
+  std::vector<std::size_t> numbers_;  ///< by column: how many consecutive columns of numbers begin there
   std::string_view before_;
   std::vector<std::uint32_t> ends_;  ///< the ends of the cells in that line
 };

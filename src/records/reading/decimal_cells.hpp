@@ -1,4 +1,4 @@
-// Finds and reads the cells of a CSV line, several at once in vector registers.
+// Finds and reads the cells of a CSV line, in groups, in vector registers.
 #pragma once
 
 #include <array>

@@ -21,13 +21,13 @@ enum class RecordFormat {
 struct CertifyOptions {
   JudgeOptions judge;
   ContactJudgeOptions contact = {};  ///< for lines with a contact problem in the form of `read_problem_line`
-  /// In place of the law that a contact problem in a line names. With it, or with contact.within, all lines are contact
-  /// problems, and judged as files are.
+  /// Replaces the law that a contact problem in a line names. If this or contact.within is set, all lines must be
+  /// contact problems, and are judged like files.
   std::optional<FrictionLaw> law = std::nullopt;
   bool as_files() const { return law || contact.within; }
   RecordFormat format = RecordFormat::by_first_byte;
   std::string file = "-";  ///< the name of the input in messages
-  /// The mechanism of the records; if there is none, they are bicycles (bicycle_records.hpp) or contact problems.
+  /// The mechanism of the records; without it, records are bicycles (bicycle_records.hpp) or contact problems.
   std::optional<CertifiedMechanism> mechanism = std::nullopt;
   bool decimal_exact = false;      ///< decimals are exact, not the nearest binary64
   bool stop_at_broken = false;     ///< throw at the first record that cannot be read, instead of reporting it

@@ -73,7 +73,7 @@ void RecordReader::put(Record& record, int column, std::string_view text, std::s
   }
 }
 
-bool RecordReader::read_usual(const CsvLine& line, UsualLines& lines, RecordBlock& block) const {
+bool RecordReader::read_plain(const CsvLine& line, PlainLines& lines, RecordBlock& block) const {
   const std::size_t row = block.size();
   const auto numbers = [&](std::size_t field) { return block.numbers(field); };
   const auto set = [&](int column, double value) { numbers(static_cast<std::size_t>(column))[row] = value; };

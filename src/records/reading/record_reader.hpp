@@ -35,15 +35,15 @@ class RecordReader {
   /// Throws BrokenRecord.
   void read(std::string_view line, Record& record) const;
 
-  /// Whether lines may be usual ones; only lines of CSV can.
-  bool has_usual_lines() const { return csv_ && !options_.decimal_exact; }
-  /// The fields of a usual line.
-  const std::vector<bool>& usual_fields() const { return complete_; }
-  UsualLines usual_lines() const { return UsualLines(columns_); }
-  /// Reads a usual line, that is, a CSV line in which every number is a finite decimal and every text is known, into
+  /// Whether plain lines can occur, which only CSV has.
+  bool has_plain_lines() const { return csv_ && !options_.decimal_exact; }
+  /// The fields of a plain line.
+  const std::vector<bool>& plain_fields() const { return complete_; }
+  PlainLines plain_lines() const { return PlainLines(columns_); }
+  /// Reads a plain line, that is, a CSV line in which every number is a finite decimal and every text is known, into
   /// the next row of the block. The rows before must hold the lines that the same `lines` read before. Returns false
   /// for any other line; then use read().
-  bool read_usual(const CsvLine& line, UsualLines& lines, RecordBlock& block) const;
+  bool read_plain(const CsvLine& line, PlainLines& lines, RecordBlock& block) const;
 
  private:
   void read_json(std::string_view line, Record& record) const;

@@ -11,7 +11,7 @@ CertifiedMechanism bicycle_records();
 /// The values of the scene are the same for all records, unless a record gives its own.
 CertifiedMechanism bicycle_records(MechanismScene scene);
 
-/// The same for the text of a scene file: of a mechanism, or of a bicycle in these symbols.
+/// The records of a scene, given as the text of its file: of a mechanism, or of a bicycle in these symbols.
 CertifiedMechanism records_of_scene(const std::string& text, const std::string& file);
 
 }  // namespace slipproof

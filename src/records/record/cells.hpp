@@ -1,4 +1,4 @@
-// Numbers in records as they are written, whatever kind of records they are.
+// Numbers in records as written, for all kinds of records.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,7 @@ std::string_view trimmed(std::string_view text);
 
 struct CellNumber {
   double nearest = 0;             ///< may be NaN or infinite
-  std::optional<Rational> exact;  ///< if the text is a fraction, or a decimal that is to be exact
+  std::optional<Rational> exact;  ///< set if the text is a fraction, or a decimal that counts exactly
 };
 /// Throws BrokenRecord. `name` is the number's name in messages.
 CellNumber read_number(std::string_view text, std::string_view name, std::size_t place, bool decimal_exact);
@@ -42,7 +42,7 @@ CellNumber read_number(std::string_view text, std::string_view name, std::size_t
 /// The column number of cells that are not used.
 inline constexpr int ignored_column = -3;
 
-/// Nothing if the value is finite.
+/// Describes NaN and infinities; nothing if the value is finite.
 std::optional<NotFinite> not_finite(std::string_view name, double value, std::size_t place);
 
 }  // namespace slipproof

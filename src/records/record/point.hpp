@@ -27,7 +27,7 @@ struct RecordPoint {
 };
 RecordPoint point_of(const RecordSetting& setting, const Record& record);
 
-/// The condition of the domain that a point breaks, with what was found and expected; empty if there is none.
+/// The condition of the domain that a point violates, as `found ..., expected ...`; empty if it is in the domain.
 std::string outside_domain(const RecordSetting& setting, const RecordPoint& point);
 
 /// Whether a record gives an angle, in any form.

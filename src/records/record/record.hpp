@@ -24,7 +24,7 @@ struct ShortForm {
     std::string expression;  ///< over parameters and the numbers of the form
   };
   std::vector<std::string> symbols;
-  std::vector<Set> sets;  ///< each may use the targets before it
+  std::vector<Set> sets;  ///< each may use earlier targets
 };
 
 /// A column of words that sets a parameter.
@@ -39,13 +39,13 @@ struct CertifiedMechanism {
   MechanismValues values;       ///< parameters that are `given`, and angles with `has_angle`
   std::vector<bool> has_angle;  ///< whether each angle has a value
   std::optional<Rational> load;
-  std::vector<ShortForm> forms = {};      ///< what records may give in place of parameters
+  std::vector<ShortForm> forms = {};      ///< fields that may replace parameters
   std::optional<WordColumn> word = {};    ///< a parameter that records may give as a word
-  std::vector<std::string> answers = {};  ///< what an answer must have; if empty, all accelerations that are unknown
+  std::vector<std::string> answers = {};  ///< fields that an answer must have; empty: all unknown accelerations
 
   /// No value is the same for all records.
   explicit CertifiedMechanism(Mechanism mechanism);
-  /// All values of the scene are the same for all records.
+  /// Makes records in which all values of the scene are common to all records.
   explicit CertifiedMechanism(MechanismScene scene);
 };
 
@@ -133,7 +133,7 @@ struct RecordAngle {
 /// The angle of a complete record. If it is not an angle, `mistake` says so: "found ..., expected ...".
 RecordAngle angle_of(const Record& record, const RecordFields& fields, std::size_t angle, std::string& mistake);
 
-/// What is missing from records with these fields, or given in two forms; empty if there is no mistake.
+/// Describes fields that are missing or given in two forms; empty if there is no mistake.
 std::string incomplete(const std::vector<bool>& present, const RecordFields& fields,
                        const CertifiedMechanism& mechanism);
 

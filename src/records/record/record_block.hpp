@@ -36,7 +36,7 @@ class RecordBlock {
   /// The numbers of all records in a field; places after the last record may be written.
   double* numbers(std::size_t field) { return &numbers_[field * stride]; }
   std::span<const double> numbers(std::size_t field) const { return {&numbers_[field * stride], count_}; }
-  /// Whether the number of some record is only the nearest binary64 of what is meant.
+  /// True if the number of some record is a rounded value.
   bool rounded(std::size_t field) const { return rounded_[field]; }
   /// The mode that the solver claims, or no_mode.
   std::uint16_t& mode(std::size_t row) { return modes_[row]; }
@@ -53,7 +53,7 @@ class RecordBlock {
     add();
   }
 
-  /// Some rows of another block.
+  /// Takes some rows of another block.
   void take(const RecordBlock& from, std::span<const std::uint16_t> rows) {
     begin(from.present_);
     rounded_ = from.rounded_;

@@ -17,18 +17,18 @@ namespace slipproof {
 /// Stands for a record that claims no mode.
 inline constexpr std::uint16_t no_mode = 0xFFFF;
 
-/// All modes of a mechanism, by their place in the enumeration; or of a mechanism with more than max_modes those that
-/// are met, in the order in which they are. Thread-safe.
+/// Numbers the modes of a mechanism: in the order of enumeration, or, if there are more than max_modes, in the order in
+/// which they occur. Thread-safe.
 class RecordModes {
  public:
   explicit RecordModes(std::vector<ElementKind> kinds);
 
   bool has_all() const { return has_all_; }
-  /// How many there are, or have been met.
+  /// The number of modes, or of those that have occurred.
   std::size_t size() const;
   const MechanismMode& mode(std::size_t number) const;
   const std::string& name(std::size_t number) const;
-  /// Nothing for what is no mode of the mechanism, or beyond 65,535 that were met.
+  /// The number of a mode; nothing if the name is not a mode of the mechanism, or if more than 65,535 have occurred.
   std::optional<std::uint16_t> find(std::string_view name);
   /// A mode, to show how they are written.
   std::string example() const;

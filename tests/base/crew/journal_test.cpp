@@ -69,6 +69,13 @@ TEST_CASE("another file and other work are refused, and stay as they were") {
   CHECK_THROWS_AS(Journal(folder.path() / "none" / "journal", "work"), OutputError);
 }
 
+TEST_CASE("a journal of an earlier version is called that") {
+  const TemporaryFolder folder;
+  const auto path =
+      folder.write("old", "slipproof-journal 1\nof whatever work, and long enough to have a head of its own");
+  CHECK_THROWS_WITH_AS(Journal(path, "work"), doctest::Contains("a checkpoint of an earlier version"), InputError);
+}
+
 TEST_CASE("whatever a killed run leaves is a journal, without the result that was being written") {
   const TemporaryFolder folder;
   const std::string whole = one_result(folder);

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "claims/canonical/canonical_claims.hpp"
 #include "claims/reading/read_claims_file.hpp"
-#include "claims/statements/canonical_claims.hpp"
 #include "proofs/check/files.hpp"
 #include "proofs/search/prove_files.hpp"
 #include "support/run_program.hpp"

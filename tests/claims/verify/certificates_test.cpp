@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "base/input/diagnostic.hpp"
-#include "claims/statements/canonical_claims.hpp"
+#include "claims/canonical/canonical_claims.hpp"
 #include "proofs/statement/undecided.hpp"
 #include "report/papers/errata.hpp"
 #include "report/papers/verify_report.hpp"

@@ -77,7 +77,7 @@ TEST_CASE("under the push that is told both modes are motions with different acc
   feet.problem.q = found.q;
   CHECK(motions(feet.problem) > 1);
   for (const auto& mode : {found.mode, found.other}) {
-    Effort effort(ContactSolver::usual_effort);
+    Effort effort(ContactSolver::default_effort);
     const auto kind = ContactSolver(feet.problem).solve(*mode, effort).kind;
     const bool is_solution = kind == ModeOutcome::Kind::solution || kind == ModeOutcome::Kind::continuum;
     CHECK(is_solution);

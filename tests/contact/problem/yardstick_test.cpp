@@ -50,7 +50,7 @@ TEST_CASE("the nearest of many solutions is the best of them, whatever their siz
   // x + y = 1, x >= 0, y >= 0: the answer (1, 1e-17) is within 1e-17 of one of them.
   const Rational tiny = Rational(1) / Rational("100000000000000000");
   const std::vector<OpenComponent> components{{{1, {-1}}, 1, 1}, {{0, {1}}, tiny, 1}};
-  Effort effort(ContactSolver::usual_effort);
+  Effort effort(ContactSolver::default_effort);
   const auto t = nearest_solution(components, {{0, {1}}, {1, {-1}}}, 1, effort);
   CHECK(t == std::vector{tiny / 2});
   // With y in thousandths of its unit the same one.
@@ -65,7 +65,7 @@ TEST_CASE("no other solution is nearer than the nearest one") {
   const std::vector<AffineForm> forms{{0, {1, 0}}, {0, {0, 1}}, {3, {-1, -1}}}, conditions{{0, {1, 0}}, {0, {-1, 1}}};
   const std::vector<std::vector<Rational>> answers{
       {1, 1, 1}, {2, 1, 0}, {Rational(1, 1000), 5, -2}, {-1, Rational(1, 7), 4}, {100, 100, -197}};
-  Effort effort(ContactSolver::usual_effort);
+  Effort effort(ContactSolver::default_effort);
   for (const auto& answer : answers) {
     Yardsticks yardstick(1);
     for (const Rational& x : answer) yardstick.take(0, x);

@@ -12,10 +12,11 @@
 #include "base/input/diagnostic.hpp"
 #include "claims/reading/read_claims_file.hpp"
 #include "claims/statements/claim_statements.hpp"
-#include "claims/statements/truth_text.hpp"
+#include "claims/statements/formulas.hpp"
 #include "proofs/check/files.hpp"
 #include "proofs/search/prove.hpp"
 #include "proofs/statement/statement.hpp"
+#include "proofs/statement/statement_text.hpp"
 #include "support/bicycle/motions.hpp"
 #include "support/papers/shipped.hpp"
 #include "support/run_program.hpp"
@@ -211,7 +212,7 @@ TEST_CASE("whatever the paper's file is called, its statements are printable ASC
 }
 
 TEST_CASE("truth values find their words") {
-  const auto text = [](const char* source) { return truth_text(parse_expression(source, Sort::truth)); };
+  const auto text = [](const char* source) { return formula_text(formula_of(parse_expression(source, Sort::truth))); };
   CHECK(text("not 0 < x <= 1") == "0 >= x or x > 1");
   CHECK(text("x > max(y, z) and x < max(y, z)") == "x > y and x > z and {x < y or x < z}");
   CHECK(text("min(y, z) >= x or min(y, z) < x") == "{y >= x and z >= x} or {y < x or z < x}");

@@ -8,11 +8,11 @@
 #include <random>
 #include <set>
 
+#include "claims/canonical/canonical_claims.hpp"
 #include "claims/judge/judge.hpp"
 #include "claims/mutation/claims_mutants.hpp"
 #include "claims/reading/read_claims_file.hpp"
 #include "claims/sampling/sampler.hpp"
-#include "claims/statements/canonical_claims.hpp"
 #include "mechanics/family/solved_sample.hpp"
 
 using namespace slipproof;

@@ -7,10 +7,10 @@
 #include <fstream>
 #include <set>
 
+#include "claims/canonical/canonical_claims.hpp"
 #include "claims/meaning/random/random_claims.hpp"
 #include "claims/meaning/second_judge/second_judge.hpp"
 #include "claims/reading/read_claims_file.hpp"
-#include "claims/statements/canonical_claims.hpp"
 
 using namespace slipproof;
 using meaning::Says;

@@ -19,7 +19,7 @@ class BodyParts : public ElementParts {
   PlacedPair two(const TableReader& table, std::string_view key);
   PlacedPair two(const TomlValue& value, std::string_view key);
   PlacedExpression one(const TableReader& table, std::string_view key);
-  /// The body that a key names; the ground, and a report, where there is none.
+  /// The index of the body that a key names. If there is no such body, reports it and returns the ground.
   std::size_t body_of(const TableReader& table, std::string_view key);
   /// The two bodies in `between`.
   std::pair<std::size_t, std::size_t> read_between(const TableReader& table);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/parallel/failure.hpp"
-#include "claims/statements/canonical_claims.hpp"
+#include "claims/canonical/canonical_claims.hpp"
 #include "claims/statements/claim_statements.hpp"
 #include "faces/cli/commands/papers/prove_run.hpp"
 #include "proofs/statement/statement.hpp"

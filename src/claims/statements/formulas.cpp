@@ -1,4 +1,4 @@
-#include "claims/statements/truth_text.hpp"
+#include "claims/statements/formulas.hpp"
 
 #include <vector>
 
@@ -26,15 +26,15 @@ Expression written(const Expression& e, const OfExpression& defined) {
   return make(e->operation, std::move(operands));
 }
 
-/// The text of a condition without functions.
-std::string text(const Expression& e, bool inner, const OfExpression& defined) {
-  if (e->operation == Operation::truth) return e->truth ? "0 = 0" : "false";
-  if (e->operation == Operation::logical_not) return text(opposite(e->operands[0]), inner, defined);
-  if (e->operation == Operation::compare) return to_string(written(with_quotients(e), defined));
-  const bool both = e->operation == Operation::logical_and;
-  const std::string result = text(e->operands[0], e->operands[0]->operation != e->operation, defined) +
-                             (both ? " and " : " or ") + text(e->operands[1], true, defined);
-  return inner ? "{" + result + "}" : result;
+/// The formula of a condition without functions.
+Expression formula(const Expression& e, const OfExpression& defined) {
+  if (e->operation == Operation::truth) return e->truth ? plainly_true() : e;
+  if (e->operation == Operation::logical_not) return formula(opposite(e->operands[0]), defined);
+  if (e->operation == Operation::compare) return written(with_quotients(e), defined);
+  const Expression left = formula(e->operands[0], defined), right = formula(e->operands[1], defined);
+  std::vector<Expression> parts = left->operation == e->operation ? left->operands : std::vector{left};
+  parts.push_back(right);
+  return make(e->operation, std::move(parts));
 }
 
 }  // namespace
@@ -52,13 +52,17 @@ Expression with_quotients(const Expression& e) {
   return make(e->operation, std::move(operands));
 }
 
-std::optional<std::string> truth_text(const Expression& truth, const OfExpression& defined) {
-  const Expression plain = by_cases(truth, is_function, defined);
-  return plain ? std::optional(text(plain, false, defined)) : std::nullopt;
+Expression plainly_true() {
+  return make_comparison({make_number(0), make_number(0)}, {Relation::equal});
 }
 
-std::optional<std::string> number_text(const Expression& number, const OfExpression& defined) {
-  return has_function(number) ? std::nullopt : std::optional(to_string(written(with_quotients(number), defined)));
+Expression formula_of(const Expression& truth, const OfExpression& defined) {
+  const Expression plain = by_cases(truth, is_function, defined);
+  return plain ? formula(plain, defined) : nullptr;
+}
+
+Expression written_number(const Expression& number, const OfExpression& defined) {
+  return has_function(number) ? nullptr : written(with_quotients(number), defined);
 }
 
 std::string in_ascii(const std::string& text) {

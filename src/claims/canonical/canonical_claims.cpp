@@ -1,4 +1,4 @@
-#include "claims/statements/canonical_claims.hpp"
+#include "claims/canonical/canonical_claims.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "claims/statements/truth_text.hpp"
+#include "claims/statements/formulas.hpp"
 
 namespace slipproof {
 

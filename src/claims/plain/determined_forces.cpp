@@ -1,4 +1,4 @@
-#include "claims/statements/determined_forces.hpp"
+#include "claims/plain/determined_forces.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -1,4 +1,4 @@
-#include "claims/statements/plain_signs.hpp"
+#include "claims/plain/plain_signs.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // Whether the accelerations of a motion leave no choice of its forces.
 #pragma once
 
-#include "claims/statements/plain_signs.hpp"
+#include "claims/plain/plain_signs.hpp"
 #include "mechanics/family/family.hpp"
 
 namespace slipproof {
