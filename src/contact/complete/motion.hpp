@@ -2,7 +2,7 @@
 // space.
 #pragma once
 
-#include "contact/complete/program.hpp"
+#include "contact/complete/program/pattern_program.hpp"
 
 namespace slipproof {
 

@@ -1,4 +1,4 @@
-#include "contact/complete/column_program.hpp"
+#include "contact/complete/program/column_program.hpp"
 
 #ifdef SLIPPROOF_CLP
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "contact/complete/column_program.hpp"
 #include "contact/complete/pattern.hpp"
+#include "contact/complete/program/column_program.hpp"
 
 namespace slipproof {
 
@@ -25,6 +25,9 @@ struct FloatingContacts {
 struct ProposedPoint {
   std::vector<double> r, u;
 };
+
+/// Whether any u is allowed in a row: a multiplier there is that of the form.
+bool allows_any_velocity(const ContactPattern& pattern, std::size_t dimension, std::size_t row);
 
 /// The linear program of a pattern: velocities in the convex hull of those that the states allow, forces in a polygon
 /// around it, and u = W r + q. Clp solves it, in its dual: a row for each equation, a column for each edge of these
@@ -76,16 +79,16 @@ class PatternProgram {
   double column_cost(const Edge& edge, std::span<const double> f, std::span<const double> h) const;
   ProposedPoint point() const;
   std::vector<double> duals() const;
-  std::vector<Rational> rounded(std::span<const double> y, std::span<const double> f, const ContactForm& form,
-                                int places) const;
-  bool is_fixed_row(std::size_t row) const;
+  std::vector<Rational> rounded(std::span<const double> y, const ContactForm& form, int places) const;
   std::optional<std::vector<double>> least_duals(std::span<const double> f, std::span<const double> h, double kept,
                                                  bool exactly = false, double slack = 0);
   double value_of(std::span<const double> y) const;
   std::optional<double> least_slope(bool forces, std::size_t row, double middle, double side, double start);
-  std::vector<Rational> excluded(ContactForm form);
-  std::vector<Rational> on_face(std::span<const double> y, std::span<const double> f, std::span<const double> h,
-                                const ContactForm& form) const;
+  std::vector<Rational> excluded(const ContactForm& form);
+  std::vector<Rational> on_face(std::span<const double> y, const ContactForm& form) const;
+
+  static constexpr double small = 1e-9;            ///< what rounding may have made of 0
+  static constexpr double quick_tolerance = 1e-9;  ///< of programs, to begin with
 
   const ExactContacts& exact_;
   const IntegerContacts& integers_;

@@ -1,0 +1,24 @@
+// Patterns whose motions are all one that is known.
+#pragma once
+
+#include "contact/complete/complete.hpp"
+
+namespace slipproof {
+
+/// A problem in all numbers that a search needs. `exact` must outlive it.
+struct SearchProblem {
+  const ExactContacts& exact;
+  const IntegerContacts integers;
+  const FloatingContacts floating;
+
+  explicit SearchProblem(const ExactContacts& contacts) : exact(contacts), integers(contacts), floating(contacts) {}
+};
+
+/// Bounds that prove that all motions of a pattern are this one: of u in each row, where the pattern's equations
+/// determine it; else of forces and speeds, in the box in which the motion is alone. Nothing where they were not found.
+/// Adds the programs that it solves.
+std::optional<std::vector<PatternNode::Bound>> bounds_to_motion(const SearchProblem& problem,
+                                                                const ContactPattern& pattern,
+                                                                const SpatialMotion& motion, std::size_t& programs);
+
+}  // namespace slipproof

@@ -1,0 +1,165 @@
+#include <algorithm>
+#include <cmath>
+
+#include "base/number/binary64.hpp"
+#include "contact/complete/program/face.hpp"
+#include "contact/complete/solve_near.hpp"
+
+namespace slipproof {
+
+namespace {
+
+using Kind = ContactState::Kind;
+
+constexpr double most_slack = 1e-8;  ///< by which equations may fail, so that a program with a point has it still
+/// What conditions keep, so that multipliers can be rounded, and to how many bits after the leading one of the largest.
+struct Precision {
+  double margin;
+  int places;
+  double tolerance;  ///< of the program
+};
+constexpr std::array<Precision, 2> precisions{{{0x1p-18, 24, 1e-9}, {0x1p-34, 46, 1e-12}}};
+constexpr int face_bits = 24;
+
+double power_near(double x) {
+  return x > 0 && std::isfinite(x) ? std::exp2(std::nearbyint(std::log2(x))) : 1;
+}
+
+/// A form in binary64, by components of u and of r.
+struct DenseForm {
+  std::vector<double> f, h;
+  double size = 1e-9;
+
+  DenseForm(const ContactForm& form, std::size_t n) : f(n), h(n) {
+    for (const auto& [i, value] : form.u) f[i] = value.to_double();
+    for (const auto& [i, value] : form.r) h[i] = value.to_double();
+    for (std::size_t i = 0; i < n; ++i) size = std::max({size, std::abs(f[i]), std::abs(h[i])});
+    for (double& x : f) x /= size;
+    for (double& x : h) x /= size;
+  }
+};
+
+}  // namespace
+
+/// In short numbers. What is within `small` of the form, or has to be the form, is that.
+std::vector<Rational> PatternProgram::rounded(std::span<const double> y, const ContactForm& form, int places) const {
+  double largest = 0;
+  for (const double x : y) largest = std::max(largest, std::abs(x));
+  const double step = largest > 0 ? std::ldexp(power_near(largest), -places) : 1;
+  std::vector<Rational> result(y.size());
+  for (const auto& [i, value] : form.u) result[i] = value;
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    if (allows_any_velocity(pattern_, contacts_.dimension, i) || std::abs(y[i] - result[i].to_double()) < small)
+      continue;
+    result[i] = to_rational(std::nearbyint(y[i] / step) * step);
+  }
+  return result;
+}
+
+/// Multipliers that prove that the program, which has no point, has none: first in few digits and quickly.
+const std::vector<Rational>& PatternProgram::prove_empty() {
+  const std::vector<double> y = duals();
+  for (const Precision& precision : precisions) {
+    set_costs({}, {}, precision.margin);
+    if (!solve(precision.tolerance) || program_->least() <= 0) continue;
+    proved_ = rounded(duals(), {}, precision.places);
+    if (proves_empty(exact_, integers_, pattern_, proved_)) return proved_;
+  }
+  proved_ = on_face(y, {});
+  if (!proves_empty(exact_, integers_, pattern_, proved_)) proved_.clear();
+  return proved_;
+}
+
+/// Of edges the value of the form along them, less what is kept.
+void PatternProgram::set_costs(std::span<const double> f, std::span<const double> h, double kept) {
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    program_->set_cost(e, column_cost(edges_[e], f, h) - kept);
+  }
+}
+
+/// The multipliers of the least value of a form, less what edges keep. u in rows that may take any value is W r + q:
+/// its share goes to the forces.
+std::optional<std::vector<double>> PatternProgram::least_duals(std::span<const double> f, std::span<const double> h,
+                                                               double kept, bool exactly, double slack) {
+  const std::size_t n = contacts_.size();
+  std::vector<double> forces(h.begin(), h.end());
+  program_->bound_slacks(slack);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!allows_any_velocity(pattern_, contacts_.dimension, i) || f[i] == 0) continue;
+    for (std::size_t j = 0; j < n; ++j) forces[j] += contacts_.W[i][j] * f[i];
+  }
+  set_costs(f, forces, kept);
+  if (!solve(exactly ? precisions[1].tolerance : precisions[0].tolerance)) return std::nullopt;
+  std::vector<double> y = duals();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (allows_any_velocity(pattern_, contacts_.dimension, i)) y[i] = f[i];
+  }
+  return y;
+}
+
+std::vector<Rational> PatternProgram::prove_least(const ContactForm& form, const Rational& least) {
+  const DenseForm dense(form, contacts_.size());
+  const auto proves = [&](const std::vector<Rational>& y) {
+    const auto bound = lower_bound(exact_, integers_, pattern_, form, y);
+    return bound && bound->value >= least;
+  };
+  const double wanted = least.to_double() / dense.size;
+  for (const bool exactly : {false, true}) {
+    auto y = least_duals(dense.f, dense.h, exactly ? 0 : precisions[0].margin, exactly);
+    if (!y && !exactly) y = least_duals(dense.f, dense.h, precisions[0].margin, false, most_slack);
+    if (!y) continue;
+    const double found = value_of(*y);
+    for (double& x : *y) x *= dense.size;
+    std::vector<Rational> proposed = exactly ? on_face(*y, form) : rounded(*y, form, precisions[0].places);
+    if (!proposed.empty() && proves(proposed)) return proposed;
+    if (found < wanted - 1e-4 * (1 + std::abs(wanted))) return {};
+  }
+  return {};
+}
+
+double PatternProgram::value_of(std::span<const double> y) const {
+  double value = 0;
+  for (std::size_t i = 0; i < y.size(); ++i) value += y[i] * contacts_.q[i];
+  return value;
+}
+
+std::vector<Rational> PatternProgram::strict_multipliers(const ProposedPoint& point) {
+  constexpr double none = 1e-7;  // below which a point says that something may be impossible
+  for (std::size_t k = 0; k < pattern_.size(); ++k) {
+    const ContactState& state = pattern_[k];
+    const std::size_t i = contacts_.normal(k);
+    if (state.kind == Kind::any || state.kind == Kind::open) continue;
+    double speed = 0;
+    for (std::size_t t = 1; t < contacts_.dimension; ++t) speed += std::abs(point.u[i + t]);
+    std::vector<Rational> y;
+    if (state.kind == Kind::slip && speed < none) {
+      ContactForm back;  // against the middle of the arc
+      const Rational a(state.from.length), b(state.to.length);
+      back.u.emplace_back(i + 1, -(Rational(state.from.x) / a + Rational(state.to.x) / b));
+      if (contacts_.dimension > 2) back.u.emplace_back(i + 2, -(Rational(state.from.y) / a + Rational(state.to.y) / b));
+      y = excluded(back);
+    }
+    if (y.empty() && point.r[i] < none) y = excluded({{}, {{i, Rational(-1)}}});
+    if (!y.empty() && proves_empty(exact_, integers_, pattern_, y)) return y;
+  }
+  return {};
+}
+
+/// Multipliers that should prove that a form, which would be negative, is at least 0.
+std::vector<Rational> PatternProgram::excluded(const ContactForm& form) {
+  const DenseForm dense(form, contacts_.size());
+  auto y = least_duals(dense.f, dense.h, 0);
+  if (!y || program_->least() < -small) return {};
+  for (double& x : *y) x *= dense.size;
+  return on_face(*y, form);
+}
+
+/// Multipliers near y that satisfy exactly what y satisfies with equality.
+std::vector<Rational> PatternProgram::on_face(std::span<const double> y, const ContactForm& form) const {
+  const MultiplierFace face(exact_, contacts_, pattern_, form, y);
+  if (face.equations().empty()) return rounded(y, form, face_bits);
+  auto exact = solve_near(face.equations(), y, face_bits);
+  return exact ? std::move(exact->x) : std::vector<Rational>{};
+}
+
+}  // namespace slipproof
