@@ -24,11 +24,7 @@ class SolutionSearch {
     root.pattern.resize(exact_.contacts());
     found_.nodes.push_back(root);
     std::vector<std::size_t> level{0};
-    const Work n = exact_.size(), each = plus(100'000, times(200, n * n * n));
-    Effort effort(options_.effort);
-    while (!level.empty() && found_.nodes.size() < options_.most_nodes) {
-      if (!effort.allows(times(each, level.size()))) return;
-      effort.spend(times(each, level.size()));
+    while (!level.empty() && found_.nodes.size() < options_.most_nodes && work_with(level.size()) <= options_.effort) {
       if (options_.progress) options_.progress(level.size(), found_.motions.size());
       level = next_generation(level);
     }
@@ -42,6 +38,14 @@ class SolutionSearch {
     std::optional<ShrunkArc> shrunk;
     PatternSplit split;
   };
+
+  /// What has been done, and what a generation would add, if its nodes are like those before.
+  Work work_with(std::size_t nodes) const {
+    const Work n = exact_.size(), program = 50'000 + 500 * n * n;  // in nanoseconds, about
+    const std::size_t looked_at = found_.nodes.size() - nodes;
+    const Work each = looked_at == 0 ? 1 : 1 + found_.programs / looked_at;
+    return times(program, found_.programs + nodes * each);
+  }
 
   /// Each node sees the motions that were known when its generation began: so threads change nothing.
   std::vector<std::size_t> next_generation(const std::vector<std::size_t>& level) {

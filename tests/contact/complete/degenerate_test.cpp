@@ -125,3 +125,17 @@ TEST_CASE("a contact that nothing moves is pressed by any force or opens") {
 TEST_CASE("a problem without contacts has one motion") {
   CHECK(finds({3, {}, {}, {}}, {Velocity{}}));
 }
+
+TEST_CASE("a search that may not go on leaves patterns undecided") {
+  const ExactContacts contacts = box(Rational(1, 2)).contacts();
+  CompleteOptions options;
+  options.effort = 0;
+  CHECK(all_solutions(contacts, options).undecided() == 1);
+  options.effort = 20'000'000;
+  const CompleteSolutions some = all_solutions(contacts, options);
+  CHECK(some.nodes.size() > 1);
+  CHECK(some.undecided() > 0);
+  options.effort = CompleteOptions{}.effort;
+  options.most_nodes = 10;
+  CHECK_FALSE(all_solutions(contacts, options).complete());
+}

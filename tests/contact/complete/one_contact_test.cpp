@@ -10,7 +10,7 @@ using namespace slipproof;
 
 namespace {
 
-using Kind = ContactState::Kind;
+using StateKind = ContactState::Kind;
 using Coefficients = std::vector<Rational>;
 
 Coefficients product(const Coefficients& a, const Coefficients& b) {
@@ -78,8 +78,8 @@ MotionCount by_tree(const ExactContacts& p) {
   CHECK(all.complete());
   MotionCount count;
   for (const SpatialMotion& motion : all.motions) {
-    const Kind kind = motion.mode[0].kind;
-    ++(kind == Kind::open ? count.open : kind == Kind::stick ? count.stick : count.slip);
+    const StateKind kind = motion.mode[0].kind;
+    ++(kind == StateKind::open ? count.open : kind == StateKind::stick ? count.stick : count.slip);
   }
   return count;
 }

@@ -9,8 +9,8 @@ using namespace slipproof;
 
 namespace {
 
-using Kind = ContactState::Kind;
-using End = PatternNode::End;
+using StateKind = ContactState::Kind;
+using NodeEnd = PatternNode::End;
 
 bool is_direction(const Direction& d) {
   return d.length.sign() > 0 && d.x * d.x + d.y * d.y == d.length * d.length;
@@ -19,7 +19,7 @@ bool is_direction(const Direction& d) {
 /// Slips from `at` on, each below half a turn and where the one before ends.
 bool is_chain(std::span<const ContactState> arcs) {
   for (std::size_t i = 0; i < arcs.size(); ++i) {
-    if (arcs[i].kind != Kind::slip || !is_direction(arcs[i].from) || cross(arcs[i].from, arcs[i].to).sign() <= 0)
+    if (arcs[i].kind != StateKind::slip || !is_direction(arcs[i].from) || cross(arcs[i].from, arcs[i].to).sign() <= 0)
       return false;
     if (i > 0 && arcs[i].from != arcs[i - 1].to) return false;
   }
@@ -28,15 +28,15 @@ bool is_chain(std::span<const ContactState> arcs) {
 
 bool covers(const ContactState& parent, const std::vector<ContactState>& children, std::size_t dimension) {
   switch (parent.kind) {
-    case Kind::any:
-      return children.size() == 2 && children[0].kind == Kind::open && children[1].kind == Kind::closed;
-    case Kind::closed: {
-      if (children.empty() || children[0].kind != Kind::stick) return false;
+    case StateKind::any:
+      return children.size() == 2 && children[0].kind == StateKind::open && children[1].kind == StateKind::closed;
+    case StateKind::closed: {
+      if (children.empty() || children[0].kind != StateKind::stick) return false;
       if (dimension == 2) return children.size() == 3 && children[1].from.x == 1 && children[2].from.x == -1;
       const auto arcs = std::span(children).subspan(1);
       return is_chain(arcs) && arcs.back().to == arcs.front().from;
     }
-    case Kind::slip:
+    case StateKind::slip:
       return is_chain(children) && children.front().from == parent.from && children.back().to == parent.to;
     default:
       return false;
@@ -52,9 +52,9 @@ class ProofReader {
     for (const ContactState& state : all_.nodes[0].pattern) CHECK(state == ContactState{});
     seen_[0] = true;
     for (const PatternNode& node : all_.nodes) {
-      if (node.end == End::empty) CHECK(proves_empty(exact_, integers_, node.pattern, node.y));
-      if (node.end == End::motion) read_bounds(node);
-      if (node.end == End::split) read_split(node);
+      if (node.end == NodeEnd::empty) CHECK(proves_empty(exact_, integers_, node.pattern, node.y));
+      if (node.end == NodeEnd::motion) read_bounds(node);
+      if (node.end == NodeEnd::split) read_split(node);
     }
     CHECK(std::ranges::count(seen_, false) == 0);
   }
@@ -75,8 +75,9 @@ class ProofReader {
       bounded.emplace_back(bound.form.u[0].first, bound.form.u[0].second.sign());
     }
     for (std::size_t i = 0; i < exact_.size() && motion.is_exact(); ++i) {
-      const Kind kind = node.pattern[i / exact_.dimension].kind;
-      const bool zero = kind == Kind::stick || (i % exact_.dimension == 0 && kind != Kind::any && kind != Kind::open);
+      const StateKind kind = node.pattern[i / exact_.dimension].kind;
+      const bool zero =
+          kind == StateKind::stick || (i % exact_.dimension == 0 && kind != StateKind::any && kind != StateKind::open);
       if (zero) CHECK(motion.u[i].is_zero());
       for (const int side : {1, -1}) CHECK(std::ranges::count(bounded, std::pair(i, side)) == (zero ? 0 : 1));
     }

@@ -74,7 +74,7 @@ TEST_CASE("the bicycle's forms are the model's raw system") {
   const Mechanism m = open_mechanism("bicycle");
   const ProblemMaker maker(m);
   RandomScenes random(5);
-  const ContactMode stick{ContactState::stick, ContactState::stick};
+  const ContactMode stick{WheelState::stick, WheelState::stick};
   for (int i = 0; i < 200; ++i) {
     const Bicycle<Rational> p = random.bicycle(i % 3 != 0);
     const Road<Rational> road{random.positive(), random.positive()};
@@ -89,7 +89,7 @@ TEST_CASE("the bicycle's forms are the model's raw system") {
       CAPTURE(k);
       CHECK(proportional(problem.equations[k], of(raw[k])));
     }
-    const auto slipping = raw_system(p, road, kind, {ContactState::slip_forward, ContactState::slip_backward});
+    const auto slipping = raw_system(p, road, kind, {WheelState::slip_forward, WheelState::slip_backward});
     for (std::size_t wheel = 0; wheel < 2; ++wheel) {
       const ProblemElement& element = problem.elements[wheel];
       CHECK(equal(element.gap, of(raw[7 + 2 * wheel])));

@@ -29,16 +29,16 @@ test::SolverAnswer solve(const ForcedScene<double>& s) {
       const double N = w == Wheel::rear ? u.N2 : u.N3, S = w == Wheel::rear ? u.S2 : u.S3;
       const double slide = slip(s.bicycle, u, w);
       switch (mode[w]) {
-        case ContactState::stick:
+        case WheelState::stick:
           fits = fits && N > -tolerance && std::fabs(S) < s.road.f * N + tolerance;
           break;
-        case ContactState::slip_forward:
+        case WheelState::slip_forward:
           fits = fits && N > -tolerance && slide > -tolerance;
           break;
-        case ContactState::slip_backward:
+        case WheelState::slip_backward:
           fits = fits && N > -tolerance && slide < tolerance;
           break;
-        case ContactState::lift:
+        case WheelState::lift:
           fits = fits && gap(s.bicycle, u, w) > -tolerance;
           break;
         default:

@@ -259,7 +259,7 @@ TEST_CASE("the statements' mechanics accept the motions of the mode solver, and 
     Rational b, F;
     ContactMode mode;
   };
-  using enum ContactState;
+  using enum WheelState;
   // f = g = R = sigma = 1, h = 1/2, M2 = M3 = J = 1: b1 = 1/8, b11 = 5/2, b0 = 7/2.
   const std::vector<Sample> samples = {{"A1.1", 4, Rational(1, 2), {stick, stick}},
                                        {"A2.2", 1, Rational(3, 5), {stick, slip_forward}},

@@ -181,7 +181,7 @@ TEST_CASE("decimals mean the nearest binary64, or exactly what they say") {
   const Bicycle<Rational> p{
       .M = 1, .R = 1, .h = 1, .b2 = 1, .b3 = 1, .I1 = 0, .I2 = 1, .I3 = 1, .r1 = 1, .r2 = 1, .L = 1};
   const ModeTable table(p, {Rational(1, 10), 10}, ForceKind::internal);
-  const ModeSolution& sticking = *table.find({ContactState::stick, ContactState::stick});
+  const ModeSolution& sticking = *table.find({WheelState::stick, WheelState::stick});
   REQUIRE(sticking.closed().upper());
   const Rational F = *sticking.closed().upper();
   std::string text = head + "1,1,1,1,0,1,1,1,1,0.1,10," + F.str() + ",stick/stick";

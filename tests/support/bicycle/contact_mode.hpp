@@ -12,20 +12,20 @@
 
 namespace slipproof {
 
-/// The state of one wheel: `stick`, `slip+`, `slip-` or `lift`.
-using ContactState = ElementState;
+/// The state of a wheel: `stick`, `slip+`, `slip-` or `lift`.
+using WheelState = ElementState;
 
 enum class Wheel : std::uint8_t { rear, front };  ///< the paper's j = 2 and j = 3
 
 /// One state for each wheel, written rear/front, as in `stick/slip+`.
 struct ContactMode {
-  ContactState rear = ContactState::stick;
-  ContactState front = ContactState::stick;
+  WheelState rear = WheelState::stick;
+  WheelState front = WheelState::stick;
 
-  constexpr ContactState operator[](Wheel wheel) const { return wheel == Wheel::rear ? rear : front; }
+  constexpr WheelState operator[](Wheel wheel) const { return wheel == Wheel::rear ? rear : front; }
   constexpr bool operator==(const ContactMode&) const = default;
   /// Both wheels on the road: then phi = a_y = 0 and the pitch inertia J drops out.
-  constexpr bool on_road() const { return rear != ContactState::lift && front != ContactState::lift; }
+  constexpr bool on_road() const { return rear != WheelState::lift && front != WheelState::lift; }
   /// Position in all_modes().
   constexpr std::size_t index() const { return static_cast<std::size_t>(rear) * 4 + static_cast<std::size_t>(front); }
 };
@@ -33,7 +33,7 @@ struct ContactMode {
 /// All 16 modes, in the order of their indices.
 constexpr std::array<ContactMode, 16> all_modes() {
   std::array<ContactMode, 16> modes{};
-  for (std::uint8_t i = 0; i < 16; ++i) modes[i] = {static_cast<ContactState>(i / 4), static_cast<ContactState>(i % 4)};
+  for (std::uint8_t i = 0; i < 16; ++i) modes[i] = {static_cast<WheelState>(i / 4), static_cast<WheelState>(i % 4)};
   return modes;
 }
 

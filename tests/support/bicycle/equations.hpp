@@ -61,15 +61,15 @@ Motion<U> motion_of(const Bicycle<T>& p, const Unknowns<U>& u) {
 /// The two equations of a wheel's contact state, as residuals.
 template <class T, class U>
 std::array<U, 2> contact_equations(const Bicycle<T>& p, const Road<T>& road, const Unknowns<U>& u, Wheel wheel,
-                                   ContactState state) {
+                                   WheelState state) {
   const U& N = wheel == Wheel::rear ? u.N2 : u.N3;
   const U& S = wheel == Wheel::rear ? u.S2 : u.S3;
   switch (state) {
-    case ContactState::stick:
+    case WheelState::stick:
       return {gap(p, u, wheel), slip(p, u, wheel)};
-    case ContactState::slip_forward:
+    case WheelState::slip_forward:
       return {gap(p, u, wheel), S + road.f * N};
-    case ContactState::slip_backward:
+    case WheelState::slip_backward:
       return {gap(p, u, wheel), S - road.f * N};
     default:
       return {N, S};

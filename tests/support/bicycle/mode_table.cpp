@@ -38,8 +38,8 @@ ModeTable::ModeTable(const Bicycle<Rational>& bicycle, const Road<Rational>& roa
 
 bool ModeTable::solve_regular(ModeSolution& s) const {
   const auto& reduced = s.reduced_.emplace(*dynamics_, s.mode_);
-  const bool spins_freely = (s.mode_.rear != ContactState::stick && reduced.rear_spin_inertia().is_zero()) ||
-                            (s.mode_.front != ContactState::stick && reduced.front_spin_inertia().is_zero());
+  const bool spins_freely = (s.mode_.rear != WheelState::stick && reduced.rear_spin_inertia().is_zero()) ||
+                            (s.mode_.front != WheelState::stick && reduced.front_spin_inertia().is_zero());
   if (spins_freely || reduced.determinant().is_zero()) return false;
   s.closed_ = ForceInterval();
   bool always_boundary = false;

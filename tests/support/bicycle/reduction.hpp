@@ -67,8 +67,8 @@ class ReducedMotion {
     bool has_alpha = false, has_beta = false, has_gamma = false;  ///< what is not there is zero
   };
 
-  bool sticks(Wheel w) const { return mode_[w] == ContactState::stick; }
-  bool lifted(Wheel w) const { return mode_[w] == ContactState::lift; }
+  bool sticks(Wheel w) const { return mode_[w] == WheelState::stick; }
+  bool lifted(Wheel w) const { return mode_[w] == WheelState::lift; }
   bool on_road() const { return mode_.on_road(); }
   bool airborne() const { return lifted(Wheel::rear) && lifted(Wheel::front); }
 
@@ -106,7 +106,7 @@ typename ReducedMotion<T, V>::WheelLaw ReducedMotion<T, V>::wheel_law(Wheel w) c
     law.sigma = T(1);
   } else {
     // sigma S = -direction fn N, with N = y, weight - y, weight - M b2 y, weight + M b3 y.
-    const bool forward = mode_[w] == ContactState::slip_forward;
+    const bool forward = mode_[w] == WheelState::slip_forward;
     law.sigma = d_.fd;
     law.has_beta = true;
     if (on_road()) {
