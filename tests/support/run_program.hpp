@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <mutex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -42,6 +43,8 @@ inline std::string read_file(const std::filesystem::path& path) {
   const std::filesystem::path whole = path.parent_path();
   if (whole.extension() == ".theorems" && std::filesystem::is_regular_file(whole)) {
     if (!whole.string().starts_with(SLIPPROOF_SOURCE_DIR "/proofs/")) return part_of(read_file(whole), path.filename());
+    static std::mutex mutex;
+    const std::scoped_lock lock(mutex);
     const auto [place, is_new] = shipped.try_emplace(whole);
     if (is_new) place->second = read_file(whole);
     return part_of(place->second, path.filename());
