@@ -72,7 +72,22 @@ std::vector<double> known_solution(const ContactJudgement& j) {
   return x;
 }
 
+/// The first of all solutions as an answer, held against all of them; nothing if not all are found.
+std::optional<JudgedAnswer> judge_first_of_all(const MixedProblem& problem, const ContactJudgeOptions& options) {
+  ContactJudgement none = judge_contacts(problem, std::vector<double>(problem.size()), {}, options);
+  if (!none.all) return std::nullopt;
+  if (none.all->none()) return JudgedAnswer{"none", std::move(none), {}};
+  std::vector<Rational> r;
+  for (const Range& range : none.all->solutions.front().r) r.push_back((*range.lower + *range.upper) / 2);
+  std::vector<double> x;
+  for (const Rational& value : eliminated(problem)->with_free(std::move(r))) x.push_back(nearest_binary64(value));
+  return JudgedAnswer{"found here", judge_contacts(problem, std::move(x), {}, options), {}};
+}
+
 JudgedAnswer judge_what_is_found(const JudgedProblem& problem, const ContactFileOptions& options) {
+  if (options.judge.all && problem.mixed.is_coulomb()) {
+    if (auto found = judge_first_of_all(problem.mixed, options.judge)) return *std::move(found);
+  }
   JudgedAnswer result{"none", {}, {}};
   result.judgement.verdict = ContactVerdict::undecided;
   result.judgement.reason = "no answer is given: --answer FILE, or --refine to look for one";

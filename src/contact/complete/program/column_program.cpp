@@ -2,6 +2,7 @@
 
 #ifdef SLIPPROOF_CLP
 
+#include <cmath>
 #include <coin/ClpSimplex.hpp>
 
 namespace slipproof {
@@ -9,6 +10,7 @@ namespace slipproof {
 /// Columns: two slacks for each row, then the others.
 struct ColumnProgram::Clp {
   ClpSimplex simplex;
+  bool finite = true;  ///< all numbers; Clp ends the process for others
 };
 
 ColumnProgram::ColumnProgram(const std::vector<double>& right_side, const std::vector<bool>& free_rows,
@@ -29,7 +31,10 @@ ColumnProgram::ColumnProgram(const std::vector<double>& right_side, const std::v
     }
   }
   for (const Column& column : columns) {
-    for (const Entry& entry : column) add(entry.row, entry.value);
+    for (const Entry& entry : column) {
+      add(entry.row, entry.value);
+      clp_->finite = clp_->finite && std::isfinite(entry.value);
+    }
     starts.push_back(static_cast<int>(rows.size()));
   }
   std::vector<double> row_lower = right_side, row_upper = right_side;
@@ -52,6 +57,7 @@ ColumnProgram::ColumnProgram(const std::vector<double>& right_side, const std::v
 }
 
 bool ColumnProgram::solve(double tolerance) {
+  if (!clp_->finite) return false;
   clp_->simplex.setPrimalTolerance(tolerance);
   clp_->simplex.setDualTolerance(tolerance);
   clp_->simplex.primal();
@@ -59,6 +65,8 @@ bool ColumnProgram::solve(double tolerance) {
 }
 
 void ColumnProgram::set_cost(std::size_t column, double cost) {
+  clp_->finite = clp_->finite && std::isfinite(cost);
+  if (!clp_->finite) return;
   clp_->simplex.setObjectiveCoefficient(static_cast<int>(2 * rows_ + column), cost);
 }
 
