@@ -12,7 +12,7 @@ using namespace slipproof;
 
 namespace {
 
-MixedProblem problem_of(const std::string& text) {
+MixedProblem problem_in_space(const std::string& text) {
   MixedProblem problem;
   const nlohmann::json given = nlohmann::json::parse(text);
   problem.dimension = 3;
@@ -27,19 +27,19 @@ MixedProblem problem_of(const std::string& text) {
 
 /// A leaning body on one contact, which can lift, stick or slip.
 MixedProblem leaning_body(double mu) {
-  MixedProblem problem =
-      problem_of(R"({"A": [[1.25, 1, 0], [1, 5, 0], [0, 0, 5.0625]], "c": [0.09375, 3.375, 2.09375], "mu": [1]})");
+  MixedProblem problem = problem_in_space(
+      R"({"A": [[1.25, 1, 0], [1, 5, 0], [0, 0, 5.0625]], "c": [0.09375, 3.375, 2.09375], "mu": [1]})");
   problem.mu = {mu};
   return problem;
 }
 
-ContactJudgement judged(const MixedProblem& problem, std::vector<double> x) {
+ContactJudgement judged_among_all(const MixedProblem& problem, std::vector<double> x) {
   ContactJudgeOptions options;
   options.all = true;
   return judge_contacts(problem, std::move(x), {}, options);
 }
 
-void check_certificate(const MixedProblem& problem, const ContactJudgement& judgement, const std::string& established) {
+void check_claim_of(const MixedProblem& problem, const ContactJudgement& judgement, const std::string& established) {
   const auto verdict = check_contact::check_contact_certificate(contact_certificate(problem, judgement));
   CHECK(verdict.kind == check_contact::ContactVerdict::Kind::accepted);
   CAPTURE(verdict.message);
@@ -50,25 +50,25 @@ void check_certificate(const MixedProblem& problem, const ContactJudgement& judg
 
 TEST_CASE("all motions of a leaning body: it lifts, sticks or slips") {
   const MixedProblem problem = leaning_body(1.75);
-  const ContactJudgement open = judged(problem, {0, 0, 0});
+  const ContactJudgement open = judged_among_all(problem, {0, 0, 0});
   CHECK(open.verdict == ContactVerdict::ambiguous);
   REQUIRE(open.all);
   CHECK(open.all->solutions.size() == 3);
-  check_certificate(problem, open, "3 motions and no others");
+  check_claim_of(problem, open, "3 motions and no others");
 }
 
 TEST_CASE("with less friction the body lifts, and nothing else") {
   const MixedProblem problem = leaning_body(0.5);
-  const ContactJudgement open = judged(problem, {0, 0, 0});
+  const ContactJudgement open = judged_among_all(problem, {0, 0, 0});
   CHECK(open.verdict == ContactVerdict::unique);
-  check_certificate(problem, open, "one motion and no other");
+  check_claim_of(problem, open, "one motion and no other");
 }
 
 TEST_CASE("free unknowns are eliminated in certificates, too") {
   // v - r = f, u = v + w of a point mass: it rests, pressed with 2 and pushed with 1 where mu is 1.
-  const MixedProblem problem = problem_of(R"({"A": [[1, 0, 0, -1, 0, 0], [0, 1, 0, 0, -1, 0], [0, 0, 1, 0, 0, -1],
+  const MixedProblem problem = problem_in_space(R"({"A": [[1, 0, 0, -1, 0, 0], [0, 1, 0, 0, -1, 0], [0, 0, 1, 0, 0, -1],
       [1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0], [0, 0, 1, 0, 0, 0]], "c": [2, -1, 0, 0, 0, 0], "mu": [1]})");
-  const ContactJudgement rest = judged(problem, {0, 0, 0, 2, -1, 0});
+  const ContactJudgement rest = judged_among_all(problem, {0, 0, 0, 2, -1, 0});
   CHECK(rest.verdict == ContactVerdict::unique);
-  check_certificate(problem, rest, "one motion and no other");
+  check_claim_of(problem, rest, "one motion and no other");
 }
