@@ -103,18 +103,21 @@ class ContactCase {
   }
 
   /// All solutions of any problem by Coulomb's law, with proof.
-  void find_all() {
+  void find_all(std::shared_ptr<const SolutionTree> tree) {
     if (!problem_.is_coulomb() || j_.all) return;
     extra("all solutions", [&] {
-      auto tree = solution_tree(problem_, options_.effort);
-      if (!tree) throw std::runtime_error("the free unknowns are not determined by the forces, or too many");
+      if (!tree) {
+        auto found = solution_tree(problem_, options_.effort);
+        if (!found) throw std::runtime_error("the free unknowns are not determined by the forces, or too many");
+        tree = std::make_shared<const SolutionTree>(*std::move(found));
+      }
       AllSolutions all = all_solutions_of(*tree);
       if (!all.complete()) {
         throw std::runtime_error(fmt::format("found {}, and {} stay open, the first {}", all.solutions.size(),
                                              all.unexamined.size(), all.unexamined.front()));
       }
       j_.all = std::move(all);
-      j_.tree = std::make_shared<const SolutionTree>(*std::move(tree));
+      j_.tree = std::move(tree);
     });
   }
 
@@ -269,7 +272,7 @@ std::vector<std::size_t> open_contacts(const MixedProblem& problem, const Contac
 }  // namespace
 
 ContactJudgement judge_contacts(const MixedProblem& problem, std::vector<double> x, std::span<const double> u,
-                                const ContactJudgeOptions& options) {
+                                const ContactJudgeOptions& options, std::shared_ptr<const SolutionTree> tree) {
   ContactJudgement judgement;
   judgement.x = std::move(x);
   judgement.law = problem.law.kind;
@@ -290,7 +293,7 @@ ContactJudgement judge_contacts(const MixedProblem& problem, std::vector<double>
   const bool strong = have_modes(problem) || is_convex(problem);
   const bool other_convex = !problem.is_coulomb() && is_convex(problem);  // then every answer has a certified distance
   if (strong && (right || options.refine || other_convex || may_be_near(judgement, options))) found.look_near();
-  if (options.all) found.find_all();
+  if (options.all) found.find_all(std::move(tree));
   const bool known = judgement.has_solution();
   const bool near = known && (options.within ? judgement.rho <= *options.within : judgement.error <= contact_near);
   const bool only_forces_open = judgement.every && !judgement.every->unique();

@@ -75,8 +75,9 @@ struct ContactJudgement {
   double excluded() const { return std::max(exclusion ? exclusion->radius : 0, every ? every->apart : 0); }
 };
 
-/// The strongest that is proved. `u` is what the answer says of the contacts' velocities; empty if it does not.
+/// The strongest that is proved. `u` is what the answer says of the contacts' velocities; empty if it does not. `tree`
+/// is that of an earlier answer to the same problem: all solutions are not searched for again.
 ContactJudgement judge_contacts(const MixedProblem& problem, std::vector<double> x, std::span<const double> u,
-                                const ContactJudgeOptions& options);
+                                const ContactJudgeOptions& options, std::shared_ptr<const SolutionTree> tree = nullptr);
 
 }  // namespace slipproof

@@ -30,7 +30,8 @@ JudgedAnswer judge_one(const JudgedProblem& problem, const SolverAnswer& answer,
   // Velocities are those of bodies: what a compliance or a bias adds is none.
   const bool moved = !problem.problem.compliance.empty() || !problem.problem.bias.empty();
   const std::span<const double> u = moved ? std::span<const double>() : answer.u;
-  JudgedAnswer result{answer.origin, judge_contacts(problem.mixed, x, u, options.judge), {}};
+  auto tree = problem.answers.empty() ? nullptr : problem.answers.front().judgement.tree;
+  JudgedAnswer result{answer.origin, judge_contacts(problem.mixed, x, u, options.judge, std::move(tree)), {}};
   if (problem.rigid) result.coulomb = judge_contacts(*problem.rigid, std::move(x), answer.u, options.judge);
   return result;
 }
@@ -81,7 +82,7 @@ std::optional<JudgedAnswer> judge_first_of_all(const MixedProblem& problem, cons
   for (const Range& range : none.all->solutions.front().r) r.push_back((*range.lower + *range.upper) / 2);
   std::vector<double> x;
   for (const Rational& value : eliminated(problem)->with_free(std::move(r))) x.push_back(nearest_binary64(value));
-  return JudgedAnswer{"found here", judge_contacts(problem, std::move(x), {}, options), {}};
+  return JudgedAnswer{"found here", judge_contacts(problem, std::move(x), {}, options, none.tree), {}};
 }
 
 JudgedAnswer judge_what_is_found(const JudgedProblem& problem, const ContactFileOptions& options) {
@@ -93,12 +94,13 @@ JudgedAnswer judge_what_is_found(const JudgedProblem& problem, const ContactFile
   result.judgement.reason = "no answer is given: --answer FILE, or --refine to look for one";
   if (!options.judge.refine) return result;
   for (std::vector<double>& start : starts(problem.mixed, options.judge)) {
-    result.judgement = judge_contacts(problem.mixed, std::move(start), {}, options.judge);
+    result.judgement = judge_contacts(problem.mixed, std::move(start), {}, options.judge, result.judgement.tree);
     const ContactVerdict verdict = result.judgement.verdict;
     using enum ContactVerdict;
     const bool far = verdict == wrong || verdict == inaccurate || verdict == not_converged;
     if (far && result.judgement.has_solution()) {
-      result.judgement = judge_contacts(problem.mixed, known_solution(result.judgement), {}, options.judge);
+      result.judgement =
+          judge_contacts(problem.mixed, known_solution(result.judgement), {}, options.judge, result.judgement.tree);
     }
     result.origin = "found here";
     if (result.judgement.verdict != ContactVerdict::wrong) return result;
