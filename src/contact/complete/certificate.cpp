@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "contact/complete/equations.hpp"
+
 namespace slipproof {
 
 namespace {
@@ -27,9 +29,6 @@ class ClaimText {
  private:
   const Rational& force_unit(std::size_t i) const { return found_.scaled.force_unit[i]; }
   const Rational& velocity_unit(std::size_t i) const { return found_.scaled.velocity_unit[i]; }
-  bool slips_in_space(std::size_t k, const ContactState& state) const {
-    return exact_.dimension == 3 && state.kind == Kind::slip && exact_.has_friction(k);
-  }
 
   void add(const Rational& x) { text_ += ' ' + x.str(); }
 
@@ -61,7 +60,7 @@ class ClaimText {
     Units result;
     for (std::size_t k = 0; k < mode.size(); ++k) {
       const std::size_t i = exact_.normal(k);
-      if (slips_in_space(k, mode[k])) {
+      if (slips_in_space(exact_, mode, k)) {
         for (const Rational& x : {force_unit(i), Rational(1), Rational(1), velocity_unit(i)}) {
           result.unknowns.push_back(x);
         }
@@ -162,7 +161,7 @@ class ClaimText {
     const ModeUnknowns unknowns(exact_, motion.mode);
     auto next = node.bounds.begin();
     for (std::size_t k = 0; k < node.pattern.size(); ++k) {
-      const bool slips = slips_in_space(k, node.pattern[k]);
+      const bool slips = slips_in_space(exact_, node.pattern, k);
       const std::size_t bounds = slips ? 3 : 2 * unknowns.of(k), speed = unknowns.first[k] + 3;
       for (std::size_t b = 0; b < bounds; ++b) write(*next++);
       if (!slips) continue;

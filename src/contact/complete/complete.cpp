@@ -25,7 +25,6 @@ class SolutionSearch {
     found_.nodes.push_back(root);
     std::vector<std::size_t> level{0};
     while (!level.empty() && found_.nodes.size() < options_.most_nodes && work_with(level.size()) <= options_.effort) {
-      if (options_.progress) options_.progress(level.size(), found_.motions.size());
       level = next_generation(level);
     }
   }

@@ -1,8 +1,6 @@
 // All solutions of a contact problem, with the proof that there are no others (MATHEMATICS.md, "All solutions").
 #pragma once
 
-#include <functional>
-
 #include "base/number/effort.hpp"
 #include "contact/complete/motion.hpp"
 
@@ -14,7 +12,6 @@ struct PatternNode {
     undecided,  ///< nothing: motions may be left in it
     empty,      ///< multipliers prove that it has no motion
     motion,     ///< all of its motions are one that is known
-    near,       ///< all of its motions are within some distance of one that is known
     split
   };
   /// Multipliers that prove a lower bound of a form.
@@ -25,8 +22,8 @@ struct PatternNode {
   ContactPattern pattern;
   End end = End::undecided;
   std::vector<Rational> y;      ///< empty
-  std::size_t motion = 0;       ///< motion, near: which
-  std::vector<Bound> bounds;    ///< motion, near
+  std::size_t motion = 0;       ///< motion: which
+  std::vector<Bound> bounds;    ///< motion
   std::size_t contact = 0;      ///< split: of which contact
   std::size_t first_child = 0;  ///< split: children stand side by side
   std::size_t children = 0;
@@ -35,8 +32,6 @@ struct PatternNode {
 struct CompleteOptions {
   Work effort = 20'000'000'000;  ///< about 20 seconds
   std::size_t most_nodes = 200'000;
-  /// Told of each generation of nodes: how many are open.
-  std::function<void(std::size_t open, std::size_t motions)> progress;
 };
 
 /// In the units of `scaled`.

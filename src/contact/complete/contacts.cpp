@@ -41,13 +41,11 @@ ScaledContacts::ScaledContacts(const ExactContacts& original) : contacts(origina
 }
 
 IntegerContacts::IntegerContacts(const ExactContacts& contacts) {
-  scale = common_denominator(contacts.q);
   for (const auto& row : contacts.W) scale = common_denominator(row, scale);
   for (const auto& row : contacts.W) {
     std::vector<Integer>& own = matrix.emplace_back();
     for (const Rational& a : row) own.push_back(integer_times(a, scale));
   }
-  for (const Rational& q : contacts.q) constant.push_back(integer_times(q, scale));
 }
 
 }  // namespace slipproof

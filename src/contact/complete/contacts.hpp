@@ -32,11 +32,10 @@ struct ScaledContacts {
   explicit ScaledContacts(const ExactContacts& original);
 };
 
-/// The same, for products in integers: W = matrix / scale, q = constant / scale.
+/// The same, for products in integers: W = matrix / scale.
 struct IntegerContacts {
   Integer scale = 1;
   IntegerMatrix matrix;
-  std::vector<Integer> constant;
 
   explicit IntegerContacts(const ExactContacts& contacts);
 };

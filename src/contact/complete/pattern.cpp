@@ -23,6 +23,11 @@ double Direction::angle() const {
   return std::atan2(Rational(y, length).to_double(), Rational(x, length).to_double());
 }
 
+double ContactState::width() const {
+  const double width = to.angle() - from.angle();
+  return width < 0 ? width + 2 * std::numbers::pi : width;
+}
+
 Integer cross(const Direction& a, const Direction& b) {
   return a.x * b.y - a.y * b.x;
 }

@@ -36,6 +36,7 @@ struct ContactState {
   Kind kind = Kind::any;
   Direction from, to;  ///< slip: an arc, counterclockwise, below half a turn
 
+  double width() const;  ///< of the arc, in radians, about
   bool operator==(const ContactState&) const = default;
 };
 

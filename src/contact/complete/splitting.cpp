@@ -14,14 +14,9 @@ constexpr double narrow_arc = 0x1p-8;      ///< arc, in radians: it is not cut o
 constexpr double narrowest_arc = 0x1p-30;  ///< arc that is split
 constexpr int direction_bits = 12;         ///< of an end of a wide arc; narrow ones have more
 
-double width_of(const ContactState& state) {
-  const double width = state.to.angle() - state.from.angle();
-  return width < 0 ? width + 2 * std::numbers::pi : width;
-}
-
 /// A direction strictly within an arc, as near to an angle as the arc's width asks for.
 std::optional<Direction> within(const ContactState& arc, double angle) {
-  const double width = width_of(arc);
+  const double width = arc.width();
   const int bits = direction_bits + std::max(0, static_cast<int>(-std::log2(width)));
   Direction d = Direction::near(angle, std::min(bits, 50));
   if (cross(arc.from, d).sign() > 0 && cross(d, arc.to).sign() > 0) return d;
@@ -44,7 +39,7 @@ std::vector<ContactState> cut_at(const ContactState& arc, const std::vector<Dire
 /// The ends of an arc in which no motion seems to be.
 std::vector<Direction> ends_to_cut_off(const ContactState& arc, const std::array<double, 2>& left) {
   constexpr double kept = 0.03;
-  const double from = arc.from.angle(), width = width_of(arc);
+  const double from = arc.from.angle(), width = arc.width();
   std::vector<Direction> cuts;
   for (const double share : {left[0] - kept, left[1] + kept}) {
     if (share < 0.05 || share > 0.95) continue;
@@ -56,7 +51,7 @@ std::vector<Direction> ends_to_cut_off(const ContactState& arc, const std::array
 /// In the middle; around the direction of a known motion in three, so that it is alone in a narrow arc.
 std::vector<Direction> cuts_of(const ContactState& arc, std::size_t contact,
                                const std::vector<SpatialMotion>& motions) {
-  const double from = arc.from.angle(), width = width_of(arc);
+  const double from = arc.from.angle(), width = arc.width();
   std::vector<Direction> cuts;
   for (const SpatialMotion& motion : motions) {
     if (motion.mode[contact].kind != Kind::slip || motion.is_exact()) continue;
@@ -104,7 +99,7 @@ std::optional<std::size_t> contact_to_split(const ExactContacts& exact, const Fl
   }
   for (std::size_t k = 0; k < pattern.size(); ++k) {
     if (pattern[k].kind != Kind::slip || exact.dimension != 3) continue;
-    const double width = width_of(pattern[k]);
+    const double width = pattern[k].width();
     if (width > narrowest_arc) consider(k, width);
   }
   return best;
@@ -142,7 +137,7 @@ std::optional<ShrunkArc> shrink_an_arc(const ContactPattern& pattern, PatternPro
   double best = 0.75;
   for (std::size_t k = 0; k < pattern.size(); ++k) {
     const ContactState& state = pattern[k];
-    if (state.kind != Kind::slip || state.from == state.to || width_of(state) < narrow_arc) continue;
+    if (state.kind != Kind::slip || state.from == state.to || state.width() < narrow_arc) continue;
     const std::array<double, 2> left = program.directions(k);
     if (left[1] - left[0] >= best) continue;
     best = left[1] - left[0];

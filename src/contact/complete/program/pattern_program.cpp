@@ -37,16 +37,16 @@ void PatternProgram::add_cones() {
   for (std::size_t k = 0; k < pattern_.size(); ++k) {
     const ContactState& state = pattern_[k];
     const std::size_t normal = contacts_.normal(k);
-    if (state.kind == Kind::any || state.kind == Kind::open) edges_.push_back({normal, false, false, {1, 0, 0}});
+    if (state.kind == Kind::any || state.kind == Kind::open) edges_.push_back({normal, false, {1, 0, 0}});
     if (state.kind == Kind::slip) {
       for (const Direction* d : {&state.from, &state.to}) {
         if (d == &state.to && state.from == state.to) break;
-        edges_.push_back({normal, false, true, {0, std::cos(d->angle()), std::sin(d->angle())}});
+        edges_.push_back({normal, false, {0, std::cos(d->angle()), std::sin(d->angle())}});
       }
     }
     if (state.kind == Kind::open) continue;
     if (!exact_.has_friction(k)) {
-      edges_.push_back({normal, true, state.kind != Kind::any, {1, 0, 0}});
+      edges_.push_back({normal, true, {1, 0, 0}});
     } else if (state.kind == Kind::slip) {
       add_arc(k);
     } else {
@@ -57,29 +57,26 @@ void PatternProgram::add_cones() {
 
 /// Around the circle of forces: corners where neighbouring tangents meet.
 void PatternProgram::add_polygon(std::size_t k) {
-  const bool strict = pattern_[k].kind != Kind::any;
   const std::size_t normal = contacts_.normal(k);
   const double mu = contacts_.mu[k];
   if (contacts_.dimension == 2) {
-    for (const double side : {1.0, -1.0}) edges_.push_back({normal, true, strict, {1, side * mu, 0}});
+    for (const double side : {1.0, -1.0}) edges_.push_back({normal, true, {1, side * mu, 0}});
     return;
   }
   const std::vector<double>& angles = tangents_[k];
   for (std::size_t i = 0; i < angles.size(); ++i) {
     const double next = i + 1 < angles.size() ? angles[i + 1] : angles[0] + 2 * std::numbers::pi;
     const double half = (next - angles[i]) / 2, middle = angles[i] + half, radius = mu / std::cos(half);
-    edges_.push_back({normal, true, strict, {1, radius * std::cos(middle), radius * std::sin(middle)}});
+    edges_.push_back({normal, true, {1, radius * std::cos(middle), radius * std::sin(middle)}});
   }
 }
 
 /// Around the arc of forces against the slip: its ends, and corners between them.
 void PatternProgram::add_arc(std::size_t k) {
   const std::size_t normal = contacts_.normal(k);
-  const double mu = contacts_.mu[k], from = pattern_[k].from.angle();
-  double width = pattern_[k].to.angle() - from;
-  if (width < 0) width += 2 * std::numbers::pi;
+  const double mu = contacts_.mu[k], from = pattern_[k].from.angle(), width = pattern_[k].width();
   const auto add = [&](double angle, double radius) {
-    edges_.push_back({normal, true, true, {1, -mu * radius * std::cos(angle), -mu * radius * std::sin(angle)}});
+    edges_.push_back({normal, true, {1, -mu * radius * std::cos(angle), -mu * radius * std::sin(angle)}});
   };
   add(from, 1);
   if (contacts_.dimension == 2) return;
@@ -183,11 +180,10 @@ PatternProgram::Feasibility PatternProgram::feasibility() {
 
 /// The least of side * t / a, where t and a are the parts of u_T or -r_T across and along a direction and a >= 0, by
 /// Dinkelbach's method: a zero of the least of side * t - slope * a.
-std::optional<double> PatternProgram::least_slope(bool forces, std::size_t row, double middle, double side,
-                                                  double start) {
+std::optional<double> PatternProgram::least_slope(bool forces, std::size_t row, double middle, double side) {
   const std::size_t n = contacts_.size();
   const double c = std::cos(middle), s = std::sin(middle), sign = forces ? -1 : 1;
-  double slope = start;
+  double slope = 0;
   for (int step = 0; step < 3; ++step) {
     std::vector<double> form(n);
     form[row + 1] = sign * (-side * s - slope * c);
@@ -207,14 +203,12 @@ std::optional<double> PatternProgram::least_slope(bool forces, std::size_t row, 
 }
 
 std::array<double, 2> PatternProgram::directions(std::size_t k) {
-  const double from = pattern_[k].from.angle();
-  double width = pattern_[k].to.angle() - from;
-  if (width < 0) width += 2 * std::numbers::pi;
+  const double from = pattern_[k].from.angle(), width = pattern_[k].width();
   const double middle = from + width / 2, edge = std::tan(width / 2);
   std::array<double, 2> range{0, 1};
   for (const bool forces : {true, false}) {
     for (const double side : {1.0, -1.0}) {
-      const auto slope = least_slope(forces, contacts_.normal(k), middle, side, 0);
+      const auto slope = least_slope(forces, contacts_.normal(k), middle, side);
       if (!slope) continue;
       const double share = 0.5 + side * std::atan(std::clamp(*slope, -edge, edge)) / width;
       if (side > 0) range[0] = std::max(range[0], share);

@@ -64,7 +64,7 @@ class PatternProgram {
  private:
   struct Edge {
     std::size_t normal = 0;  ///< of the contact
-    bool force = false, strict = false;
+    bool force = false;
     std::array<double, 3> v{};
   };
 
@@ -83,7 +83,7 @@ class PatternProgram {
   std::optional<std::vector<double>> least_duals(std::span<const double> f, std::span<const double> h, double kept,
                                                  bool exactly = false, double slack = 0);
   double value_of(std::span<const double> y) const;
-  std::optional<double> least_slope(bool forces, std::size_t row, double middle, double side, double start);
+  std::optional<double> least_slope(bool forces, std::size_t row, double middle, double side);
   std::vector<Rational> excluded(const ContactForm& form);
   std::vector<Rational> on_face(std::span<const double> y, const ContactForm& form) const;
 
