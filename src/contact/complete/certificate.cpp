@@ -19,8 +19,13 @@ class ClaimText {
   std::string write(const RationalMatrix& eliminated) {
     text_ = "all-solutions " + std::to_string(found_.motions.size()) + '\n';
     if (!eliminated.empty()) write_matrix("eliminated", eliminated);
-    for (const SpatialMotion& motion : found_.motions) {
+    for (std::size_t m = 0; m < found_.motions.size(); ++m) {
+      const SpatialMotion& motion = found_.motions[m];
       motion.is_exact() ? write_exact(motion) : write_box(motion);
+      if (found_.within[m].empty()) continue;
+      text_ += "within";
+      for (std::size_t i = 0; i < n_; ++i) add(found_.within[m][i] * velocity_unit(i));
+      text_ += '\n';
     }
     write_node(found_.nodes[0], 0);
     return std::move(text_);
@@ -55,52 +60,68 @@ class ClaimText {
   struct Units {
     std::vector<Rational> unknowns, equations;
   };
-  Units units(const ContactPattern& mode) const {
-    const ModeUnknowns unknowns(exact_, mode);
+  Units units(const SpatialMotion& motion, const ModeUnknowns& unknowns) const {
     Units result;
-    for (std::size_t k = 0; k < mode.size(); ++k) {
-      const std::size_t i = exact_.normal(k);
-      if (slips_in_space(exact_, mode, k)) {
-        for (const Rational& x : {force_unit(i), Rational(1), Rational(1), velocity_unit(i)}) {
-          result.unknowns.push_back(x);
-        }
-        for (std::size_t e = 0; e < 3; ++e) result.equations.push_back(velocity_unit(i));
-        result.equations.emplace_back(1);
-        continue;
-      }
+    for (std::size_t k = 0; k < motion.mode.size(); ++k) {
+      const Rational &force = force_unit(exact_.normal(k)), &velocity = velocity_unit(exact_.normal(k));
+      const bool slips = motion.mode[k].kind == Kind::slip;
       for (std::size_t j = 0; j < unknowns.of(k); ++j) {
-        result.unknowns.push_back(force_unit(i));
-        result.equations.push_back(velocity_unit(i));
+        result.unknowns.push_back(j < 3 ? force : Rational(velocity / force));
+        result.equations.push_back(j == 3                                     ? Rational(force * force)
+                                   : j == 1 && slips && exact_.dimension == 2 ? force
+                                                                              : velocity);
       }
     }
     return result;
   }
 
-  const char* mode_word(std::size_t k, const ContactState& state) const {
-    if (state.kind == Kind::open) return " open";
-    if (!exact_.has_friction(k)) return " closed";
+  const char* mode_word(const SpatialMotion& motion, std::size_t k) const {
+    const ContactState& state = motion.mode[k];
+    if (state.kind == Kind::open) return !motion.touching.empty() && motion.touching[k] ? " touch" : " open";
     if (state.kind != Kind::slip) return " stick";
     return exact_.dimension == 3 ? " slide" : state.from.x.sign() > 0 ? " slide+" : " slide-";
   }
 
   void write_box(const SpatialMotion& motion) {
-    const Units unit = units(motion.mode);
+    const ModeUnknowns unknowns(exact_, motion.mode, motion.touching);
+    const Units unit = units(motion, unknowns);
     text_ += "motion box modes";
-    for (std::size_t k = 0; k < motion.mode.size(); ++k) text_ += mode_word(k, motion.mode[k]);
-    const std::vector<Rational> nowhere(motion.center.size());
-    const auto numbers = [&](const char* word, const std::vector<Rational>& values) {
-      text_ += std::string("\n") + word;
-      for (std::size_t j = 0; j < values.size(); ++j) add(values[j] * unit.unknowns[j]);
-    };
-    numbers("center", motion.center);
-    numbers("radius", motion.radius);
-    numbers("alone", motion.alone.empty() ? nowhere : motion.alone);
+    for (std::size_t k = 0; k < motion.mode.size(); ++k) text_ += mode_word(motion, k);
+    text_ += "\ncenter";
+    for (std::size_t j = 0; j < unknowns.count(); ++j) add(motion.center[j] * unit.unknowns[j]);
+    text_ += "\nradius";  // of a pinned one it means nothing, and is positive
+    for (std::size_t j = 0; j < unknowns.count(); ++j) {
+      add(motion.radius[j].is_zero() ? unit.unknowns[j] : Rational(motion.radius[j] * unit.unknowns[j]));
+    }
+    text_ += "\npinned " + std::to_string(motion.pinned.size());
+    for (const std::size_t j : motion.pinned) text_ += ' ' + std::to_string(j);
+    text_ += "\ndropped " + std::to_string(motion.dropped.size());
+    for (const DependentEquation& own : motion.dropped) {
+      text_ += ' ' + std::to_string(own.equation) + ' ' + std::to_string(own.combination.size());
+      for (const auto& [e, c] : own.combination) {
+        text_ += ' ' + std::to_string(e);
+        add(c * unit.equations[own.equation] / unit.equations[e]);
+      }
+    }
     text_ += '\n';
+    write_matrix("inverse", inverse_of(motion, unit));
+    if (!motion.alone.is_zero()) text_ += "alone " + motion.alone.str() + '\n';
+  }
+
+  static RationalMatrix inverse_of(const SpatialMotion& motion, const Units& unit) {
+    const auto without = [](std::vector<Rational> units, const auto& places) {
+      for (std::size_t p = places.size(); p-- > 0;) units.erase(units.begin() + static_cast<std::ptrdiff_t>(places[p]));
+      return units;
+    };
+    std::vector<std::size_t> dropped;
+    for (const DependentEquation& own : motion.dropped) dropped.push_back(own.equation);
+    std::ranges::sort(dropped);
+    const auto unknowns = without(unit.unknowns, motion.pinned), equations = without(unit.equations, dropped);
     RationalMatrix inverse = motion.inverse;
     for (std::size_t i = 0; i < inverse.size(); ++i) {
-      for (std::size_t j = 0; j < inverse.size(); ++j) inverse[i][j] *= unit.unknowns[i] / unit.equations[j];
+      for (std::size_t j = 0; j < inverse.size(); ++j) inverse[i][j] *= unknowns[i] / equations[j];
     }
-    write_matrix("inverse", inverse);
+    return inverse;
   }
 
   void write_directions(const std::vector<Direction>& directions) {
@@ -147,29 +168,11 @@ class ClaimText {
     for (std::size_t i = 0; i < n_; ++i) add(y[i] * unit / velocity_unit(i));
   }
 
-  /// Each of them is about one row of u, one component of r, or the slip of one contact.
+  /// Each of them is about velocities of one contact, or about a component of its force.
   void write_bounds(const PatternNode& node) {
-    const SpatialMotion& motion = found_.motions[node.motion];
-    const auto write = [&](const PatternNode::Bound& bound) {
-      write_multipliers(
-          bound.y, bound.form.r.empty() ? velocity_unit(bound.form.u[0].first) : force_unit(bound.form.r[0].first));
-    };
-    if (motion.is_exact()) {
-      std::ranges::for_each(node.bounds, write);
-      return;
-    }
-    const ModeUnknowns unknowns(exact_, motion.mode);
-    auto next = node.bounds.begin();
-    for (std::size_t k = 0; k < node.pattern.size(); ++k) {
-      const bool slips = slips_in_space(exact_, node.pattern, k);
-      const std::size_t bounds = slips ? 3 : 2 * unknowns.of(k), speed = unknowns.first[k] + 3;
-      for (std::size_t b = 0; b < bounds; ++b) write(*next++);
-      if (!slips) continue;
-      if (motion.alone[speed] < motion.center[speed]) {
-        write(*next++);
-      } else {  // slips have a speed above 0, by definition
-        write_multipliers(std::vector<Rational>(n_), Rational(1));
-      }
+    for (const PatternNode::Bound& bound : node.bounds) {
+      const auto& [u, r] = bound.form;
+      write_multipliers(bound.y, u.empty() ? force_unit(r[0].first) : velocity_unit(u[0].first));
     }
   }
 

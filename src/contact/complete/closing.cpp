@@ -1,5 +1,7 @@
 #include "contact/complete/closing.hpp"
 
+#include <algorithm>
+
 namespace slipproof {
 
 namespace {
@@ -96,13 +98,13 @@ class DeterminedVelocities {
 };
 
 /// The box in which a motion is alone, and bounds that keep a pattern in it.
-class Neighbourhood {
+class AloneBox {
  public:
-  Neighbourhood(const SearchProblem& problem, const ContactPattern& pattern, const SpatialMotion& motion)
+  AloneBox(const SearchProblem& problem, const ContactPattern& pattern, const SpatialMotion& motion)
       : problem_(problem), pattern_(pattern), motion_(motion), unknowns_(problem.exact, motion.mode) {}
 
   std::optional<Bounds> bounds(std::size_t& programs) {
-    if (motion_.alone.empty() || !has_mode()) return std::nullopt;
+    if (motion_.alone.is_zero() || !has_mode()) return std::nullopt;
     PatternProgram program(problem_.exact, problem_.integers, problem_.floating, pattern_);
     const bool closed = program.feasibility().point && bound_all(program);
     programs += program.solved();
@@ -111,53 +113,39 @@ class Neighbourhood {
 
  private:
   bool has_mode() const {
-    for (std::size_t k = 0; k < pattern_.size(); ++k) {
-      if (pattern_[k].kind != motion_.mode[k].kind) return false;
-      if (unknowns_.of(k) == 4 && !arc_lies_within(pattern_[k], unknowns_.first[k] + 1)) return false;
-    }
-    return true;
-  }
-
-  /// Whether all directions of an arc are in the box: they lie in the triangle of its ends and the corner where their
-  /// tangents meet.
-  bool arc_lies_within(const ContactState& arc, std::size_t d) const {
-    const std::array<Rational, 2> a{Rational(arc.from.x, arc.from.length), Rational(arc.from.y, arc.from.length)};
-    const std::array<Rational, 2> b{Rational(arc.to.x, arc.to.length), Rational(arc.to.y, arc.to.length)};
-    const Rational corner = 1 + a[0] * b[0] + a[1] * b[1];
-    for (std::size_t t = 0; t < 2; ++t) {
-      for (const Rational& x : {a[t], b[t], Rational((a[t] + b[t]) / corner)}) {
-        if (abs(x - motion_.center[d + t]) > motion_.alone[d + t]) return false;
-      }
-    }
-    return true;
+    return std::ranges::equal(pattern_, motion_.mode, {}, &ContactState::kind, &ContactState::kind);
   }
 
   bool bound_all(PatternProgram& program) {
     for (std::size_t k = 0; k < pattern_.size(); ++k) {
       const std::size_t first = unknowns_.first[k], i = problem_.exact.normal(k);
-      const bool slips = unknowns_.of(k) == 4;
-      for (std::size_t t = 0; t < (slips ? 1 : unknowns_.of(k)); ++t) {
-        const Rational &center = motion_.center[first + t], &width = motion_.alone[first + t];
+      for (std::size_t t = 0; t < unknowns_.forces(k); ++t) {
+        const Rational center = motion_.center[first + t], width = alone(first + t);
         if (!bound(program, {{}, {{i + t, Rational(1)}}}, center - width)) return false;
         if (!bound(program, {{}, {{i + t, Rational(-1)}}}, -center - width)) return false;
       }
-      if (slips && !bound_speed(program, k)) return false;
+      if (unknowns_.slips_in_space(k) && !bound_slip(program, k)) return false;
     }
     return true;
   }
 
-  /// With m = from + to and c = 1 + from . to, c <= d . m <= 1 + c / 2 for all d in the arc: v = u_T . d is between
-  /// u_T . m / (1 + c / 2) and u_T . m / c.
-  bool bound_speed(PatternProgram& program, std::size_t k) {
+  Rational alone(std::size_t unknown) const { return motion_.radius[unknown] * Rational(motion_.alone); }
+
+  /// With m = from + to and c = 1 + from . to, c <= d . m <= 1 + c / 2 for all d in the arc, and u_T . m =
+  /// s mu r_N d . m: so s is at most S if u_T . m <= S mu c r_N, and at least S if u_T . m >= S mu (1 + c / 2) r_N.
+  bool bound_slip(PatternProgram& program, std::size_t k) {
     const ContactState& arc = pattern_[k];
-    const std::size_t i = problem_.exact.normal(k) + 1, v = unknowns_.first[k] + 3;
-    const Rational &center = motion_.center[v], &width = motion_.alone[v];
+    const std::size_t i = problem_.exact.normal(k), s = unknowns_.first[k] + 3;
+    const Rational center = motion_.center[s], width = alone(s), mu = problem_.exact.mu[k];
     const Rational a(arc.from.length), b(arc.to.length);
     const Rational x = Rational(arc.from.x) / a + Rational(arc.to.x) / b;
     const Rational y = Rational(arc.from.y) / a + Rational(arc.to.y) / b;
     const Rational c = (x * x + y * y) / 2;
-    if (!bound(program, {{{i, -x}, {i + 1, -y}}, {}}, -(center + width) * c)) return false;
-    return width >= center || bound(program, {{{i, x}, {i + 1, y}}, {}}, (center - width) * (1 + c / 2));
+    if (!bound(program, {{{i + 1, -x}, {i + 2, -y}}, {{i, (center + width) * mu * c}}}, 0)) return false;
+    ContactForm form{{{i + 1, x}, {i + 2, y}}, {{i, -((center - width) * mu * (1 + c / 2))}}};
+    if (width < center) return bound(program, std::move(form), 0);
+    bounds_.push_back({std::move(form), std::vector<Rational>(problem_.exact.size())});
+    return true;
   }
 
   /// Adds a bound if it is proved to be at least `least`.
@@ -177,10 +165,65 @@ class Neighbourhood {
 
 }  // namespace
 
+VelocityBox VelocityBox::of(const SpatialMotion& motion) {
+  VelocityBox result;
+  for (std::size_t i = 0; i < motion.u.size(); ++i) {
+    result.low.push_back(motion.u[i] - motion.u_radius[i]);
+    result.high.push_back(motion.u[i] + motion.u_radius[i]);
+  }
+  return result;
+}
+
+void VelocityBox::add(const VelocityBox& other) {
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    low[i] = std::min(low[i], other.low[i]);
+    high[i] = std::max(high[i], other.high[i]);
+  }
+}
+
+bool VelocityBox::contains(const VelocityBox& other) const {
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    if (other.low[i] < low[i] || other.high[i] > high[i]) return false;
+  }
+  return true;
+}
+
+VelocityBox VelocityBox::widened(const Rational& distance) const {
+  VelocityBox result = *this;
+  for (Rational& x : result.low) x -= distance;
+  for (Rational& x : result.high) x += distance;
+  return result;
+}
+
+std::optional<BoundedVelocities> bound_velocities(const SearchProblem& problem, const ContactPattern& pattern,
+                                                  const VelocityBox* limits, std::size_t& programs) {
+  const std::size_t n = problem.exact.size();
+  BoundedVelocities result{{std::vector<Rational>(n), std::vector<Rational>(n)}, {}};
+  PatternProgram program(problem.exact, problem.integers, problem.floating, pattern);
+  bool found = program.feasibility().point.has_value();
+  for (std::size_t i = 0; i < n && found; ++i) {
+    if (is_zero_row(pattern, problem.exact.dimension, i)) continue;
+    for (const int side : {1, -1}) {
+      const ContactForm form{{{i, Rational(side)}}, {}};
+      auto y = program.prove_best(form);
+      found = found && !y.empty();
+      if (!found) break;
+      (side > 0 ? result.box.low : result.box.high)[i] =
+          side * lower_bound(problem.exact, problem.integers, pattern, form, y)->value;
+      result.bounds.push_back({form, std::move(y)});
+    }
+    if (found && limits != nullptr)
+      found = result.box.low[i] >= limits->low[i] && result.box.high[i] <= limits->high[i];
+  }
+  programs += program.solved();
+  if (!found || (limits != nullptr && !limits->contains(result.box))) return std::nullopt;
+  return result;
+}
+
 std::optional<Bounds> bounds_to_motion(const SearchProblem& problem, const ContactPattern& pattern,
                                        const SpatialMotion& motion, std::size_t& programs) {
   if (motion.is_exact()) return DeterminedVelocities(problem, pattern).bounds(motion);
-  return Neighbourhood(problem, pattern, motion).bounds(programs);
+  return AloneBox(problem, pattern, motion).bounds(programs);
 }
 
 }  // namespace slipproof

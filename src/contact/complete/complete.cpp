@@ -5,6 +5,7 @@
 
 #include "base/parallel/in_parallel.hpp"
 #include "contact/complete/closing.hpp"
+#include "contact/complete/solve_near.hpp"
 #include "contact/complete/splitting.hpp"
 
 namespace slipproof {
@@ -27,14 +28,16 @@ class SolutionSearch {
     while (!level.empty() && found_.nodes.size() < options_.most_nodes && work_with(level.size()) <= options_.effort) {
       level = next_generation(level);
     }
+    for (std::size_t m = 0; m < places_.size(); ++m) found_.within.push_back(distances(m));
   }
 
  private:
   struct Visit {
     std::size_t programs = 0;
     std::optional<ProposedPoint> point;
-    std::optional<SpatialMotion> candidate;
+    std::vector<SpatialMotion> candidates;
     std::optional<ShrunkArc> shrunk;
+    std::optional<VelocityBox> place;  ///< of its motions, if they are only near one that is known
     PatternSplit split;
   };
 
@@ -51,12 +54,13 @@ class SolutionSearch {
     std::vector<Visit> visits(level.size());
     in_parallel(0, level.size(), [&](std::size_t i) { look(found_.nodes[level[i]], visits[i]); });
     for (Visit& visit : visits) {
-      if (visit.candidate) add(std::move(*visit.candidate));
+      for (SpatialMotion& candidate : visit.candidates) add(std::move(candidate));
     }
     in_parallel(0, level.size(), [&](std::size_t i) { close_or_split(found_.nodes[level[i]], visits[i]); });
     std::vector<std::size_t> next;
     for (std::size_t i = 0; i < level.size(); ++i) {
       found_.programs += visits[i].programs;
+      if (visits[i].place) places_[found_.nodes[level[i]].motion].add(*visits[i].place);
       PatternSplit& split = visits[i].split;
       if (split.children.empty()) continue;
       PatternNode& node = found_.nodes[level[i]];
@@ -91,11 +95,17 @@ class SolutionSearch {
     if (!mode) return;
     const bool decided = *mode == node.pattern;
     if (decided) visit.shrunk = shrink_an_arc(node.pattern, program);
-    visit.candidate = find_motion(exact_, problem_.floating, *mode, *visit.point);
-    if (!visit.candidate && decided) {
-      visit.candidate = find_motion(exact_, problem_.floating, *mode, program.middle());
+    find_from(*mode, *visit.point, visit);
+    const bool open = std::ranges::any_of(visit.candidates, [](const auto& m) { return m.open_directions > 0; });
+    if (decided && (visit.candidates.empty() || (open && widest_arc(node.pattern) == 0))) {
+      find_from(*mode, program.middle(), visit);
     }
     visit.programs = program.solved();
+  }
+
+  void find_from(const ContactPattern& mode, const ProposedPoint& start, Visit& visit) const {
+    auto motion = find_motion(exact_, problem_.floating, mode, start);
+    if (motion) visit.candidates.push_back(std::move(*motion));
   }
 
   /// The mode that a point has, if nothing is left to decide or the point is nearly a solution.
@@ -119,34 +129,122 @@ class SolutionSearch {
     return mode;
   }
 
-  /// Motions that may be the same are one.
+  /// Motions that may be the same are one. Of a continuum two are enough.
   void add(SpatialMotion&& motion) {
-    const auto is_same = [&](const SpatialMotion& known) {
-      for (std::size_t i = 0; i < exact_.size(); ++i) {
-        if (abs(known.u[i] - motion.u[i]) > known.u_radius[i] + motion.u_radius[i]) return false;
-      }
-      return true;
-    };
-    if (std::ranges::none_of(found_.motions, is_same)) found_.motions.push_back(std::move(motion));
+    std::size_t of_mode = 0;
+    for (const SpatialMotion& known : found_.motions) {
+      if (!known.differs(motion)) return;
+      of_mode += known.open_directions > 0 && same_states(known.mode, motion.mode) ? 1 : 0;
+    }
+    if (motion.open_directions > 0 && of_mode >= 2) return;
+    places_.push_back(VelocityBox::of(motion));
+    found_.motions.push_back(std::move(motion));
+  }
+
+  bool same_states(const ContactPattern& a, const ContactPattern& b) const {
+    return std::ranges::equal(a, b, [this](const ContactState& x, const ContactState& y) {
+      return x.kind == y.kind && (exact_.dimension == 3 || x.kind != Kind::slip || x.from == y.from);
+    });
   }
 
   void close_or_split(PatternNode& node, Visit& visit) const {
     if (!visit.point || node.end != End::undecided) return;
     for (std::size_t m = 0; m < found_.motions.size(); ++m) {
       auto bounds = bounds_to_motion(problem_, node.pattern, found_.motions[m], visit.programs);
-      if (!bounds) continue;
-      node.end = End::motion;
-      node.motion = m;
-      node.bounds = std::move(*bounds);
-      return;
+      if (bounds) return close(node, m, std::move(*bounds));
     }
+    if (close_near(node, visit) || close_in_continuum(node, visit)) return;
     visit.split = split_pattern(exact_, problem_.floating, node.pattern, *visit.point, visit.shrunk, found_.motions);
   }
+
+  static void close(PatternNode& node, std::size_t motion, std::vector<PatternNode::Bound>&& bounds) {
+    node.end = End::motion;
+    node.motion = motion;
+    node.bounds = std::move(bounds);
+  }
+
+  /// Where all velocities are those of a known motion, nearly.
+  bool close_near(PatternNode& node, Visit& visit) const {
+    const Rational distance = power_of_two(-near_bits);
+    for (std::size_t m = 0; m < found_.motions.size(); ++m) {
+      const SpatialMotion& motion = found_.motions[m];
+      if (!motion.alone.is_zero() || !is_near(motion, *visit.point)) continue;
+      const VelocityBox limits = VelocityBox::of(motion).widened(distance);
+      auto bounded = bound_velocities(problem_, node.pattern, &limits, visit.programs);
+      if (!bounded) continue;
+      visit.place = std::move(bounded->box);
+      close(node, m, std::move(bounded->bounds));
+      return true;
+    }
+    return false;
+  }
+
+  bool is_near(const SpatialMotion& motion, const ProposedPoint& point) const {
+    for (std::size_t i = 0; i < point.u.size(); ++i) {
+      if (std::abs(motion.u[i].to_double() - point.u[i]) > std::ldexp(1.0, -near_bits)) return false;
+    }
+    return true;
+  }
+
+  /// Where velocities are those of a continuum of motions, nearly, and nothing but narrow arcs is left to split.
+  bool close_in_continuum(PatternNode& node, Visit& visit) const {
+    for (std::size_t k = 0; k < node.pattern.size(); ++k) {
+      if (!is_decided(exact_, node.pattern, k)) return false;
+    }
+    const double width = widest_arc(node.pattern);
+    if (width > std::ldexp(1.0, -continuum_bits)) return false;
+    std::optional<BoundedVelocities> bounded;
+    for (std::size_t m = 0; m < found_.motions.size(); ++m) {
+      const SpatialMotion& motion = found_.motions[m];
+      if (!motion.alone.is_zero() || motion.open_directions == 0 || (width > 0 && !has_another(m))) continue;
+      if (!bounded) bounded = bound_velocities(problem_, node.pattern, nullptr, visit.programs);
+      if (!bounded) return false;
+      const VelocityBox near = places_[m].widened(power_of_two(-continuum_bits));
+      if (!same_states(motion.mode, node.pattern) && !near.contains(bounded->box)) continue;
+      visit.place = std::move(bounded->box);
+      close(node, m, std::move(bounded->bounds));
+      return true;
+    }
+    return false;
+  }
+
+  /// Whether another motion of its mode is known.
+  bool has_another(std::size_t m) const {
+    const auto is_another = [&](const SpatialMotion& other) {
+      return &other != &found_.motions[m] && same_states(other.mode, found_.motions[m].mode);
+    };
+    return std::ranges::any_of(found_.motions, is_another);
+  }
+
+  double widest_arc(const ContactPattern& pattern) const {
+    double width = 0;
+    for (const ContactState& state : pattern) {
+      if (state.kind == Kind::slip && exact_.dimension == 3) width = std::max(width, state.width());
+    }
+    return width;
+  }
+
+  /// How far from a motion its place reaches, in each row.
+  std::vector<Rational> distances(std::size_t m) const {
+    const VelocityBox own = VelocityBox::of(found_.motions[m]);
+    std::vector<Rational> result;
+    bool any = false;
+    for (std::size_t i = 0; i < own.low.size(); ++i) {
+      const Rational below = own.low[i] - places_[m].low[i], above = places_[m].high[i] - own.high[i];
+      result.push_back(-rounded_down(-std::max(below, above), 2 * near_bits));
+      any = any || !result.back().is_zero();
+    }
+    return any ? result : std::vector<Rational>();
+  }
+
+  static constexpr int near_bits = 20;
+  static constexpr int continuum_bits = 4;
 
   CompleteSolutions& found_;
   const CompleteOptions& options_;
   const SearchProblem problem_;
   const ExactContacts& exact_;
+  std::vector<VelocityBox> places_;  ///< of motions, and of what counts as them
 };
 
 }  // namespace
@@ -160,7 +258,7 @@ bool CompleteSolutions::complete() const {
 }
 
 CompleteSolutions all_solutions(const ExactContacts& contacts, const CompleteOptions& options) {
-  CompleteSolutions result{ScaledContacts(contacts), {}, {}, 0};
+  CompleteSolutions result{ScaledContacts(contacts), {}, {}, {}, 0};
   SolutionSearch(result, options).run();
   return result;
 }

@@ -11,7 +11,7 @@ struct PatternNode {
   enum class End : std::uint8_t {
     undecided,  ///< nothing: motions may be left in it
     empty,      ///< multipliers prove that it has no motion
-    motion,     ///< all of its motions are one that is known
+    motion,     ///< all of its motions are one that is known, or near it
     split
   };
   /// Multipliers that prove a lower bound of a form.
@@ -38,6 +38,8 @@ struct CompleteOptions {
 struct CompleteSolutions {
   ScaledContacts scaled;
   std::vector<SpatialMotion> motions;
+  /// By motion, and row of u: others that count as this one are at most so far from where it is. Empty: there are none.
+  std::vector<std::vector<Rational>> within;
   std::vector<PatternNode> nodes;  ///< the tree, its root first
   std::size_t programs = 0;        ///< linear programs
 
@@ -46,8 +48,9 @@ struct CompleteSolutions {
   std::size_t undecided() const;
 };
 
-/// Splits patterns until each is proved empty, or proved to hold one known motion only. The same on any number of
-/// threads.
+/// Splits patterns until each is proved empty, or to hold one known motion only; or motions near it: within 2^-20 of
+/// the largest velocity, or, where forces are open and move the body differently, wherever they are. The same on any
+/// number of threads.
 CompleteSolutions all_solutions(const ExactContacts& contacts, const CompleteOptions& options = {});
 
 }  // namespace slipproof

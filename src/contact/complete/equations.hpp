@@ -1,16 +1,15 @@
 // The equations of a mode, over any number type.
 #pragma once
 
+#include <algorithm>
+
 #include "contact/complete/motion.hpp"
 
 namespace slipproof {
 
-/// Whether a contact slips in a direction that is unknown.
-inline bool slips_in_space(const ExactContacts& contacts, const ContactPattern& mode, std::size_t k) {
-  return contacts.dimension == 3 && mode[k].kind == ContactState::Kind::slip && contacts.has_friction(k);
-}
-
-/// The equations of a mode over any number type.
+/// The equations of a mode over any number type, in the order of ModeUnknowns: for each contact in turn u_N = 0, where
+/// it sticks u_T = 0, where it slips in the plane r_T = -+ mu r_N, and in space u_T + s r_T = 0 and
+/// |r_T|^2 = (mu r_N)^2.
 template <class T>
 class EquationMaker {
  public:
@@ -26,46 +25,36 @@ class EquationMaker {
   std::vector<Equation> equations;
 
  private:
+  /// u_i.
   Equation row(std::size_t i) const {
     Equation result{q_[i], {}, {}};
     for (std::size_t k = 0; k < mode_.size(); ++k) {
-      if (mode_[k].kind != ContactState::Kind::open) add_forces(result, i, k);
+      for (std::size_t t = 0; t < unknowns_.forces(k); ++t) {
+        result.linear.emplace_back(unknowns_.first[k] + t, W_[i][exact_.normal(k) + t]);
+      }
     }
     return result;
   }
 
-  /// What the forces of contact k do in row i.
-  void add_forces(Equation& row, std::size_t i, std::size_t k) const {
-    const std::size_t normal = exact_.normal(k), first = unknowns_.first[k];
-    const T mu = mu_[k];
-    if (!exact_.has_friction(k)) {
-      row.linear.emplace_back(first, W_[i][normal]);
-    } else if (mode_[k].kind != ContactState::Kind::slip) {
-      for (std::size_t t = 0; t < exact_.dimension; ++t) row.linear.emplace_back(first + t, W_[i][normal + t]);
-    } else if (exact_.dimension == 2) {
-      const T friction = mu * W_[i][normal + 1];
-      row.linear.emplace_back(first,
-                              mode_[k].from.x.sign() > 0 ? T(W_[i][normal] - friction) : T(W_[i][normal] + friction));
-    } else {
-      row.linear.emplace_back(first, W_[i][normal]);
-      for (const std::size_t t : {1, 2}) row.products.push_back({first, first + t, T(-(mu * W_[i][normal + t]))});
-    }
-  }
-
   void add_contact(const ContactState& state, std::size_t k) {
-    if (state.kind == ContactState::Kind::open) return;
-    const std::size_t normal = exact_.normal(k), first = unknowns_.first[k];
+    const std::size_t forces = unknowns_.forces(k), normal = exact_.normal(k), first = unknowns_.first[k];
+    if (forces == 0) return;
     equations.push_back(row(normal));
-    if (!exact_.has_friction(k)) return;
-    for (std::size_t t = 1; state.kind != ContactState::Kind::slip && t < exact_.dimension; ++t)
-      equations.push_back(row(normal + t));
-    if (state.kind != ContactState::Kind::slip || exact_.dimension == 2) return;
-    for (const std::size_t t : {1, 2}) {
-      Equation tangential = row(normal + t);
-      tangential.products.push_back({first + 3, first + t, T(-1)});
-      equations.push_back(std::move(tangential));
+    if (forces == 1) return;
+    if (state.kind != ContactState::Kind::slip) {
+      for (std::size_t t = 1; t < forces; ++t) equations.push_back(row(normal + t));
+    } else if (forces == 2) {
+      equations.push_back({T(), {{first + 1, T(1)}, {first, state.from.x.sign() > 0 ? mu_[k] : T(-mu_[k])}}, {}});
+    } else {
+      for (const std::size_t t : {1, 2}) {
+        equations.push_back(row(normal + t));
+        equations.back().products.push_back({first + 3, first + t, T(1)});
+      }
+      equations.push_back(
+          {T(),
+           {},
+           {{first + 1, first + 1, T(1)}, {first + 2, first + 2, T(1)}, {first, first, T(-(mu_[k] * mu_[k]))}}});
     }
-    equations.push_back({T(-1), {}, {{first + 1, first + 1, T(1)}, {first + 2, first + 2, T(1)}}});
   }
 
   const std::vector<std::vector<T>>& W_;
@@ -99,6 +88,16 @@ std::vector<T> slope_at(const ModeEquation<T>& equation, const std::vector<T>& z
     slope[p.j] += p.coefficient * z[p.i];
   }
   return slope;
+}
+
+/// How much the products change the equation within p of a point. Each is a square, or the only one.
+template <class T>
+T bend_within(const ModeEquation<T>& equation, const std::vector<T>& p) {
+  T up{}, down{};
+  for (const auto& term : equation.products) {
+    (term.coefficient > 0 ? up : down) += abs(term.coefficient) * p[term.i] * p[term.j];
+  }
+  return std::max(up, down);
 }
 
 }  // namespace slipproof

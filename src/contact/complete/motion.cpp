@@ -16,20 +16,44 @@ using Kind = ContactState::Kind;
 
 class MotionFinder {
  public:
-  MotionFinder(const ExactContacts& exact, const FloatingContacts& contacts, const ContactPattern& mode)
-      : exact_(exact), contacts_(contacts), mode_(mode), unknowns_(exact, mode) {}
+  MotionFinder(const ExactContacts& exact, const FloatingContacts& contacts, const ContactPattern& mode,
+               std::vector<bool> touching)
+      : exact_(exact),
+        contacts_(contacts),
+        mode_(mode),
+        touching_(std::move(touching)),
+        unknowns_(exact, mode, touching_) {}
 
   std::optional<SpatialMotion> find(const ProposedPoint& start) {
     if (is_linear()) return find_exactly(start);
     std::vector<double> z = unknowns_at(start);
     if (!newton(z) || !plausible(z)) return std::nullopt;
-    return motion_in_box(exact_, mode_, z, derivative_);
+    zero_ = z;
+    return motion_in_box(exact_, mode_, touching_, z, derivative_);
+  }
+
+  /// After find(), which found no motion: the open contacts whose u_N is 0 up to rounding at the zero; empty if there
+  /// are none.
+  std::vector<bool> touching() const {
+    if (zero_.empty()) return {};
+    std::vector<double> r(exact_.size());
+    for (std::size_t k = 0; k < mode_.size(); ++k) {
+      for (std::size_t t = 0; t < unknowns_.forces(k); ++t) r[exact_.normal(k) + t] = zero_[unknowns_.first[k] + t];
+    }
+    std::vector<bool> result(mode_.size(), false);
+    for (std::size_t k = 0; k < mode_.size(); ++k) {
+      if (mode_[k].kind != Kind::open) continue;
+      double u = contacts_.q[exact_.normal(k)];
+      for (std::size_t j = 0; j < r.size(); ++j) u += contacts_.W[exact_.normal(k)][j] * r[j];
+      result[k] = std::abs(u) < 1e-9;
+    }
+    return std::ranges::find(result, true) == result.end() ? std::vector<bool>() : result;
   }
 
  private:
   bool is_linear() const {
     for (std::size_t k = 0; k < mode_.size(); ++k) {
-      if (slips_in_space(exact_, mode_, k)) return false;
+      if (unknowns_.slips_in_space(k)) return false;
     }
     return true;
   }
@@ -38,17 +62,15 @@ class MotionFinder {
     std::vector<double> z(unknowns_.count());
     for (std::size_t k = 0; k < mode_.size(); ++k) {
       const std::size_t first = unknowns_.first[k], i = exact_.normal(k);
-      if (!slips_in_space(exact_, mode_, k)) {
-        for (std::size_t t = 0; t < unknowns_.of(k); ++t) z[first + t] = point.r[i + t];
-        continue;
-      }
+      for (std::size_t t = 0; t < unknowns_.forces(k); ++t) z[first + t] = point.r[i + t];
+      if (!unknowns_.slips_in_space(k)) continue;
       const double speed = std::hypot(point.u[i + 1], point.u[i + 2]);
       double angle = std::atan2(-point.r[i + 2], -point.r[i + 1]);
       if (speed > 1e-6) angle = std::atan2(point.u[i + 2], point.u[i + 1]);
-      z[first] = point.r[i];
-      z[first + 1] = std::cos(angle);
-      z[first + 2] = std::sin(angle);
-      z[first + 3] = speed;
+      const double friction = contacts_.mu[k] * std::max(point.r[i], 1e-3);
+      z[first + 1] = -friction * std::cos(angle);
+      z[first + 2] = -friction * std::sin(angle);
+      z[first + 3] = speed / friction;
     }
     return z;
   }
@@ -84,7 +106,7 @@ class MotionFinder {
     for (std::size_t k = 0; k < mode_.size(); ++k) {
       if (mode_[k].kind == Kind::open) continue;
       if (z[unknowns_.first[k]] < -slack) return false;
-      if (slips_in_space(exact_, mode_, k) && z[unknowns_.first[k] + 3] < -slack) return false;
+      if (unknowns_.slips_in_space(k) && z[unknowns_.first[k] + 3] < -slack) return false;
     }
     return true;
   }
@@ -99,7 +121,7 @@ class MotionFinder {
     }
     const auto z = solve_near(rows, unknowns_at(start), 20);
     if (!z) return std::nullopt;
-    SpatialMotion motion = motion_at(exact_, mode_, unknowns_, z->x);
+    SpatialMotion motion = motion_at(exact_, mode_, touching_, z->x);
     if (!satisfies_law(exact_, motion.r, motion.u)) return std::nullopt;
     motion.open_directions = z->open_directions;
     return motion;
@@ -108,21 +130,30 @@ class MotionFinder {
   const ExactContacts& exact_;
   const FloatingContacts& contacts_;
   const ContactPattern& mode_;
+  const std::vector<bool> touching_;
   const ModeUnknowns unknowns_;
+  std::vector<double> zero_;
   Eigen::MatrixXd derivative_;
 };
 
 }  // namespace
 
-ModeUnknowns::ModeUnknowns(const ExactContacts& contacts, const ContactPattern& mode) : first{0} {
+ModeUnknowns::ModeUnknowns(const ExactContacts& contacts, const ContactPattern& mode, const std::vector<bool>& touching)
+    : first{0} {
   for (std::size_t k = 0; k < mode.size(); ++k) {
-    const bool slips = mode[k].kind == Kind::slip, space = contacts.dimension == 3;
-    const std::size_t own = mode[k].kind == Kind::open                       ? 0
-                            : !contacts.has_friction(k) || (slips && !space) ? 1
-                            : slips                                          ? 4
-                                                                             : contacts.dimension;
+    const bool touches = !touching.empty() && touching[k];
+    std::size_t own = contacts.has_friction(k) && !touches ? contacts.dimension : 1;
+    if (mode[k].kind == Kind::open && !touches) own = 0;
+    if (mode[k].kind == Kind::slip && own == 3) own = 4;
     first.push_back(first.back() + own);
   }
+}
+
+bool SpatialMotion::differs(const SpatialMotion& other) const {
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    if (abs(u[i] - other.u[i]) > u_radius[i] + other.u_radius[i]) return true;
+  }
+  return false;
 }
 
 std::vector<Rational> velocities(const ExactContacts& contacts, std::span<const Rational> r) {
@@ -156,7 +187,11 @@ bool satisfies_law(const ExactContacts& contacts, std::span<const Rational> r, s
 
 std::optional<SpatialMotion> find_motion(const ExactContacts& exact, const FloatingContacts& contacts,
                                          const ContactPattern& mode, const ProposedPoint& start) {
-  return MotionFinder(exact, contacts, mode).find(start);
+  MotionFinder finder(exact, contacts, mode, {});
+  auto motion = finder.find(start);
+  if (motion) return motion;
+  std::vector<bool> touching = finder.touching();
+  return touching.empty() ? std::nullopt : MotionFinder(exact, contacts, mode, std::move(touching)).find(start);
 }
 
 }  // namespace slipproof

@@ -1,7 +1,9 @@
 #include "contact/complete/motion_box.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "base/number/binary64.hpp"
 #include "contact/complete/equations.hpp"
 #include "contact/complete/solve_near.hpp"
 
@@ -12,85 +14,237 @@ namespace {
 using Vector = std::vector<Rational>;
 constexpr int center_bits = 90, inverse_bits = 34;
 
-/// To a multiple of 2^-bits, downwards.
-Rational rounded_down(const Rational& x, int bits) {
-  const Rational scaled = x * power_of_two(bits);
-  Integer quotient;
-  fmpz_fdiv_q(quotient.flint(), numerator(scaled).flint(), denominator(scaled).flint());
-  return Rational(quotient) * power_of_two(-bits);
-}
-
 /// A power of 2 that is at least x.
 Rational power_above(const Rational& x) {
   if (x.sign() <= 0) return power_of_two(-2 * center_bits);
   return power_of_two(static_cast<long>(numerator(x).bits()) - static_cast<long>(denominator(x).bits()) + 1);
 }
 
-Vector product(const RationalMatrix& R, const Vector& f) {
-  Vector result(f.size());
-  for (std::size_t j = 0; j < f.size(); ++j) {
-    for (std::size_t i = 0; i < f.size(); ++i) {
-      if (!f[i].is_zero()) result[j] += R[j][i] * f[i];
+double power_above(double x) {
+  return x > 0x1p-60 && std::isfinite(x) ? std::exp2(std::ceil(std::log2(x))) : 0x1p-60;
+}
+
+/// R f, of the entries of f in these places.
+Vector product(const RationalMatrix& R, const Vector& f, const std::vector<std::size_t>& places) {
+  Vector result(R.size());
+  for (std::size_t j = 0; j < R.size(); ++j) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (!f[places[i]].is_zero()) result[j] += R[j][i] * f[places[i]];
     }
   }
   return result;
 }
 
+std::vector<std::size_t> all_but(std::size_t count, const std::vector<bool>& without) {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!without[i]) result.push_back(i);
+  }
+  return result;
+}
+
+/// A mode's equations and unknowns, and those that are left where some follow from others.
+class ModeSquare {
+ public:
+  ModeSquare(const ExactContacts& contacts, const ContactPattern& mode, const std::vector<bool>& touching)
+      : contacts(contacts),
+        mode(mode),
+        touching(touching),
+        unknowns(contacts, mode, touching),
+        equations(mode_equations<Rational>(contacts, contacts, mode, unknowns)) {
+    drop_dependent();
+  }
+
+  /// Chooses the unknowns that are left by the derivative at a zero, with pivots; false if it is singular still.
+  bool pin(const Eigen::MatrixXd& derivative, const std::vector<double>& zero) {
+    sizes = sizes_at(zero);
+    std::vector<bool> held(unknowns.count(), false);
+    for (std::size_t j = 0; j < held.size(); ++j) held[j] = is_touching(j);
+    std::vector<std::size_t> free = all_but(held.size(), held);
+    if (free.size() < kept.size()) return false;
+    const Scaled scaled(derivative, kept, free, sizes);
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(scaled.matrix);
+    held.assign(held.size(), true);
+    for (std::size_t p = 0; p < kept.size(); ++p) {
+      held[free[static_cast<std::size_t>(qr.colsPermutation().indices()[static_cast<Eigen::Index>(p)])]] = false;
+    }
+    left = all_but(held.size(), held);
+    return left.empty() || invert(Scaled(derivative, kept, left, sizes));
+  }
+
+  /// Whether an unknown is the force of a contact that touches, which is 0.
+  bool is_touching(std::size_t unknown) const {
+    for (std::size_t k = 0; k < touching.size(); ++k) {
+      if (touching[k] && unknowns.first[k] == unknown) return true;
+    }
+    return false;
+  }
+
+  const ExactContacts& contacts;
+  const ContactPattern& mode;
+  const std::vector<bool>& touching;
+  const ModeUnknowns unknowns;
+  const std::vector<ModeEquation<Rational>> equations;
+  std::vector<DependentEquation> dropped;
+  std::vector<std::size_t> kept, left;  ///< equations and unknowns
+  std::vector<double> sizes;            ///< of the unknowns, powers of 2
+  RationalMatrix inverse;               ///< rows for `left`, columns for `kept`
+
+ private:
+  /// Rows and columns of a derivative, divided by the size of the row and multiplied by that of the unknown, which are
+  /// powers of 2.
+  struct Scaled {
+    Eigen::MatrixXd matrix;
+    std::vector<double> rows;
+
+    Scaled(const Eigen::MatrixXd& derivative, const std::vector<std::size_t>& kept,
+           const std::vector<std::size_t>& columns, const std::vector<double>& sizes)
+        : matrix(kept.size(), columns.size()) {
+      for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+        for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
+          const std::size_t column = columns[static_cast<std::size_t>(j)];
+          matrix(i, j) = derivative(static_cast<Eigen::Index>(kept[static_cast<std::size_t>(i)]),
+                                    static_cast<Eigen::Index>(column)) *
+                         sizes[column];
+        }
+        rows.push_back(power_above(matrix.row(i).lpNorm<Eigen::Infinity>()));
+        matrix.row(i) /= rows.back();
+      }
+    }
+  };
+
+  bool invert(const Scaled& scaled) {
+    const Eigen::FullPivLU<Eigen::MatrixXd> lu(scaled.matrix);
+    if (lu.rcond() < 1e-12) return false;
+    const Eigen::MatrixXd approximate = lu.inverse();
+    for (std::size_t j = 0; j < left.size(); ++j) {
+      Vector& own = inverse.emplace_back();
+      for (std::size_t i = 0; i < kept.size(); ++i) {
+        const double x = approximate(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i));
+        own.push_back(nearest_multiple(x, inverse_bits) * to_rational(sizes[left[j]] / scaled.rows[i]));
+      }
+    }
+    return true;
+  }
+
+  /// Forces of a contact are as large as its normal force, those of friction as what it allows.
+  std::vector<double> sizes_at(const std::vector<double>& zero) const {
+    std::vector<double> result(zero.size(), 1);
+    for (std::size_t k = 0; k < mode.size(); ++k) {
+      const std::size_t first = unknowns.first[k];
+      for (std::size_t t = 0; t < unknowns.forces(k); ++t) result[first + t] = power_above(zero[first]);
+      if (!unknowns.slips_in_space(k)) continue;
+      const double friction = std::hypot(zero[first + 1], zero[first + 2]);
+      for (const std::size_t t : {1, 2}) result[first + t] = power_above(friction);
+      result[first + 3] = power_above(zero[first + 3]);
+    }
+    return result;
+  }
+
+  /// Of the linear equations those that are combinations of others, constants included; rather those of contacts that
+  /// touch.
+  void drop_dependent() {
+    const std::vector<std::size_t> linear = linear_equations();
+    RationalMatrix columns(unknowns.count() + 1, Vector(linear.size()));
+    for (std::size_t e = 0; e < linear.size(); ++e) {
+      for (const auto& [j, a] : equations[linear[e]].linear) {
+        if (!is_touching(j)) columns[j][e] += a;
+      }
+      columns.back()[e] = equations[linear[e]].constant;
+    }
+    std::vector<bool> out(equations.size(), false);
+    const Echelon echelon = linear.empty() ? Echelon() : eliminate(columns);
+    std::size_t pivots = 0;
+    for (std::size_t e = 0; e < linear.size(); ++e) {
+      if (pivots < echelon.rank() && echelon.pivot_columns[pivots] == e) {
+        ++pivots;
+        continue;
+      }
+      out[linear[e]] = true;
+      DependentEquation& own = dropped.emplace_back(DependentEquation{linear[e], {}});
+      for (std::size_t p = 0; p < pivots; ++p) {
+        if (echelon.rows[p][e].is_zero()) continue;
+        own.combination.emplace_back(linear[echelon.pivot_columns[p]], Rational(echelon.rows[p][e], echelon.pivot));
+      }
+    }
+    kept = all_but(equations.size(), out);
+  }
+
+  /// Those of contacts that touch last.
+  std::vector<std::size_t> linear_equations() const {
+    std::vector<std::size_t> result, last;
+    for (std::size_t k = 0; k < mode.size(); ++k) {
+      for (std::size_t e = unknowns.first[k]; e < unknowns.first[k + 1]; ++e) {
+        if (!equations[e].products.empty()) continue;
+        (!touching.empty() && touching[k] ? last : result).push_back(e);
+      }
+    }
+    result.insert(result.end(), last.begin(), last.end());
+    return result;
+  }
+};
+
 /// Krawczyk's test: F are the mode's equations, z the center, R an approximate inverse of their derivative J.
 class BoxTest {
  public:
-  BoxTest(const ExactContacts& contacts, const ContactPattern& mode, const std::vector<double>& zero,
-          RationalMatrix inverse)
-      : contacts_(contacts),
-        mode_(mode),
-        unknowns_(contacts, mode),
-        equations_(mode_equations<Rational>(contacts, contacts, mode, unknowns_)),
-        inverse_(std::move(inverse)) {
+  BoxTest(const ModeSquare& square, const std::vector<double>& zero)
+      : square_(square), equations_(square.equations), left_(square.left), kept_(square.kept) {
     for (const double x : zero) center_.push_back(nearest_multiple(x, center_bits));
+    for (std::size_t j = 0; j < center_.size(); ++j) {
+      if (square.is_touching(j)) center_[j] = 0;
+    }
     for (int i = 0; i < 4; ++i) {
       const Vector step = shift();
-      for (std::size_t j = 0; j < count(); ++j) center_[j] = rounded_down(center_[j] - step[j], center_bits);
+      for (std::size_t j = 0; j < left_.size(); ++j) {
+        center_[left_[j]] = rounded_down(center_[left_[j]] - step[j], center_bits);
+      }
     }
     defect_ = defect();
   }
 
   std::optional<SpatialMotion> motion() const {
     const Vector step = shift();
-    Vector p;
-    for (const Rational& x : step) p.push_back(power_above(abs(x) * 4));
-    const Rational largest = *std::max_element(p.begin(), p.end());
-    for (Rational& x : p) x = std::max(x, Rational(largest * power_of_two(-20)));
-    const Vector spread = product(defect_, p), bend = bent(p);
-    for (std::size_t j = 0; j < count(); ++j) {
-      if (abs(step[j]) + spread[j] + bend[j] > p[j] || spread[j] >= p[j]) return std::nullopt;
+    Vector p = least_box(step);
+    const Vector shape = square_.dropped.empty() ? neighbourhood() : Vector();
+    Integer alone = 0;
+    if (!shape.empty()) {
+      alone = times_within(p, shape);
+      for (std::size_t j = 0; alone > 0 && j < p.size(); ++j) p[j] = shape[j] / Rational(alone);
     }
-    SpatialMotion motion = motion_at(contacts_, mode_, unknowns_, center_, p);
-    motion.inverse = inverse_;
+    const Vector spread = spread_of(p), bend = bent(p);
+    for (std::size_t j = 0; j < left_.size(); ++j) {
+      if (abs(step[j]) + spread[j] + bend[j] > p[left_[j]] || spread[j] >= p[left_[j]]) return std::nullopt;
+    }
+    SpatialMotion motion = motion_at(square_.contacts, square_.mode, square_.touching, center_, p);
     if (!conditions_hold(motion)) return std::nullopt;
-    motion.alone = neighbourhood(p);
+    motion.alone = alone;
+    motion.inverse = square_.inverse;
+    motion.dropped = square_.dropped;
+    std::vector<bool> is_left(center_.size(), false);
+    for (const std::size_t j : left_) is_left[j] = true;
+    motion.pinned = all_but(is_left.size(), is_left);
+    for (const std::size_t j : motion.pinned) motion.open_directions += square_.is_touching(j) ? 0 : 1;
     return motion;
   }
 
  private:
-  std::size_t count() const { return unknowns_.count(); }
-
   /// R F(z).
   Vector shift() const {
     Vector f;
     for (const auto& equation : equations_) f.push_back(value_at(equation, center_));
-    return product(inverse_, f);
+    return product(square_.inverse, f, kept_);
   }
 
   /// |I - R J| by entries.
   RationalMatrix defect() const {
-    const std::size_t n = count();
+    const std::size_t n = left_.size();
     RationalMatrix result(n, Vector(n));
     for (std::size_t i = 0; i < n; ++i) {
-      const Vector slope = slope_at(equations_[i], center_);
+      const Vector slope = slope_at(equations_[kept_[i]], center_);
       for (std::size_t j = 0; j < n; ++j) {
-        if (inverse_[j][i].is_zero()) continue;
+        if (square_.inverse[j][i].is_zero()) continue;
         for (std::size_t k = 0; k < n; ++k) {
-          if (!slope[k].is_zero()) result[j][k] -= inverse_[j][i] * slope[k];
+          if (!slope[left_[k]].is_zero()) result[j][k] -= square_.inverse[j][i] * slope[left_[k]];
         }
       }
     }
@@ -101,50 +255,76 @@ class BoxTest {
     return result;
   }
 
+  Vector spread_of(const Vector& p) const { return product(defect_, p, left_); }
+
   /// |R| q for the products of unknowns within p of the center.
   Vector bent(const Vector& p) const {
-    Vector q(p.size()), result(p.size());
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      for (const auto& term : equations_[i].products) q[i] += abs(term.coefficient) * p[term.i] * p[term.j];
-    }
-    for (std::size_t j = 0; j < p.size(); ++j) {
-      for (std::size_t i = 0; i < p.size(); ++i) {
-        if (!q[i].is_zero()) result[j] += abs(inverse_[j][i]) * q[i];
-      }
+    Vector result(left_.size());
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+      const Rational q = bend_within(equations_[kept_[i]], p);
+      for (std::size_t j = 0; j < left_.size() && !q.is_zero(); ++j) result[j] += abs(square_.inverse[j][i]) * q;
     }
     return result;
   }
 
+  /// Four times the step, each at least 2^-20 of the largest.
+  Vector least_box(const Vector& step) const {
+    Vector p(center_.size());
+    Rational largest = power_of_two(-2 * center_bits);
+    for (std::size_t j = 0; j < left_.size(); ++j) {
+      p[left_[j]] = power_above(abs(step[j]) * 4);
+      largest = std::max(largest, p[left_[j]]);
+    }
+    for (const std::size_t j : left_) p[j] = std::max(p[j], Rational(largest * power_of_two(-20)));
+    return p;
+  }
+
+  /// How many times the least box goes into a neighbourhood, a power of 2; 0 if not once.
+  Integer times_within(const Vector& least, const Vector& shape) const {
+    Rational times = power_of_two(40);
+    for (const std::size_t j : left_) times = std::min(times, Rational(shape[j] / least[j]));
+    return times < 1 ? Integer(0) : numerator(times);
+  }
+
   /// The conditions that are not equations, everywhere in the box.
   bool conditions_hold(const SpatialMotion& motion) const {
-    for (std::size_t k = 0; k < mode_.size(); ++k) {
-      const std::size_t i = contacts_.normal(k), speed = unknowns_.first[k] + 3;
-      if (mode_[k].kind == ContactState::Kind::open) {
+    const ExactContacts& contacts = square_.contacts;
+    for (std::size_t k = 0; k < square_.mode.size(); ++k) {
+      const std::size_t i = contacts.normal(k), slip = square_.unknowns.first[k] + 3;
+      if (!square_.touching.empty() && square_.touching[k]) continue;
+      if (square_.mode[k].kind == ContactState::Kind::open) {
         if (motion.u[i] < motion.u_radius[i]) return false;
         continue;
       }
       if (motion.r[i] < motion.r_radius[i]) return false;
-      if (slips_in_space(contacts_, mode_, k) && motion.center[speed] < motion.radius[speed]) return false;
-      if (mode_[k].kind == ContactState::Kind::stick && !is_in_cone(motion, k)) return false;
+      if (square_.unknowns.slips_in_space(k)) {
+        if (motion.center[slip] < motion.radius[slip]) return false;
+      } else if (square_.mode[k].kind == ContactState::Kind::slip) {
+        const Rational u = square_.mode[k].from.x.sign() > 0 ? motion.u[i + 1] : Rational(-motion.u[i + 1]);
+        if (u < motion.u_radius[i + 1]) return false;
+      } else if (!is_in_cone(motion, k)) {
+        return false;
+      }
     }
     return true;
   }
 
   bool is_in_cone(const SpatialMotion& motion, std::size_t k) const {
-    const std::size_t i = contacts_.normal(k);
+    const ExactContacts& contacts = square_.contacts;
+    const std::size_t i = contacts.normal(k);
     Rational force;
-    for (std::size_t t = 1; t < contacts_.dimension; ++t) {
+    for (std::size_t t = 1; t < contacts.dimension; ++t) {
       const Rational most = abs(motion.r[i + t]) + motion.r_radius[i + t];
       force += most * most;
     }
-    const Rational limit = contacts_.mu[k] * (motion.r[i] - motion.r_radius[i]);
+    const Rational limit = contacts.mu[k] * (motion.r[i] - motion.r_radius[i]);
     return force <= limit * limit;
   }
 
-  /// In which the equations have no other zero: |I - R J| P + 2 |R| q(P) < P. It contains the box, so that this zero is
-  /// the motion; empty where none was found.
-  Vector neighbourhood(const Vector& box) const {
-    Vector v = first_shape(), best;
+  /// In which the equations have no other zero: |I - R J| P + 4 |R| q(P) < P. Empty where none was found.
+  Vector neighbourhood() const {
+    Vector v, best;
+    for (const double size : square_.sizes) v.push_back(to_rational(size));
     Rational width;
     // Forces and slips bend the equations together: the box that |R| q makes of one is often better than the first.
     for (int shape = 0; shape < 3; ++shape) {
@@ -152,8 +332,7 @@ class BoxTest {
       const Vector alone = alone_within(v, next);
       if (!alone.empty()) {
         const Rational least = *std::min_element(alone.begin(), alone.end());
-        const bool contains = std::ranges::equal(box, alone, [](const auto& p, const auto& P) { return p <= P; });
-        if (contains && least > width) width = least, best = alone;
+        if (least > width) width = least, best = alone;
       }
       const Rational largest = *std::max_element(next.begin(), next.end());
       if (largest.is_zero()) break;
@@ -163,24 +342,13 @@ class BoxTest {
     return best;
   }
 
-  /// Forces and speeds of their own size, directions of size 1.
-  Vector first_shape() const {
-    Vector v(count(), Rational(1));
-    for (std::size_t k = 0; k < mode_.size(); ++k) {
-      const std::size_t first = unknowns_.first[k];
-      const std::size_t forces = slips_in_space(contacts_, mode_, k) ? 1 : unknowns_.of(k);
-      for (std::size_t t = 0; t < forces; ++t) v[first + t] = power_above(center_[first]);
-    }
-    return v;
-  }
-
   /// The largest share of v, a power of 2, within which the test holds.
   Vector alone_within(const Vector& v, const Vector& bend) const {
-    const Vector spread = product(defect_, v);
+    const Vector spread = spread_of(v);
     for (int exponent = 4; exponent > -60; --exponent) {
       const Rational share = power_of_two(exponent);
       bool alone = true;
-      for (std::size_t j = 0; j < v.size() && alone; ++j) alone = spread[j] + 2 * share * bend[j] < v[j];
+      for (std::size_t j = 0; j < v.size() && alone; ++j) alone = spread[j] + 4 * share * bend[j] < v[j];
       if (!alone) continue;
       Vector result = v;
       for (Rational& x : result) x *= share;
@@ -189,41 +357,29 @@ class BoxTest {
     return {};
   }
 
-  const ExactContacts& contacts_;
-  const ContactPattern& mode_;
-  const ModeUnknowns unknowns_;
-  const std::vector<ModeEquation<Rational>> equations_;
-  const RationalMatrix inverse_;
+  const ModeSquare& square_;
+  const std::vector<ModeEquation<Rational>>& equations_;
+  const std::vector<std::size_t>&left_, &kept_;
   Vector center_;
   RationalMatrix defect_;
 };
 
 }  // namespace
 
-SpatialMotion motion_at(const ExactContacts& contacts, const ContactPattern& mode, const ModeUnknowns& unknowns,
+SpatialMotion motion_at(const ExactContacts& contacts, const ContactPattern& mode, const std::vector<bool>& touching,
                         const std::vector<Rational>& point, const std::vector<Rational>& radius) {
   SpatialMotion motion;
   motion.mode = mode;
+  motion.touching = touching;
   motion.center = point;
   motion.radius = radius;
   const std::size_t n = contacts.size();
-  const Vector &z = point, p = radius.empty() ? Vector(point.size()) : radius;
+  const ModeUnknowns unknowns(contacts, mode, touching);
   motion.r.resize(n), motion.r_radius.resize(n), motion.u_radius.resize(n);
   for (std::size_t k = 0; k < mode.size(); ++k) {
-    const std::size_t first = unknowns.first[k], i = contacts.normal(k);
-    const Rational& mu = contacts.mu[k];
-    const bool slips = mode[k].kind == ContactState::Kind::slip && contacts.has_friction(k);
-    for (std::size_t t = 0; t < (slips ? 1 : unknowns.of(k)); ++t) {
-      motion.r[i + t] = z[first + t];
-      motion.r_radius[i + t] = p[first + t];
-    }
-    if (slips && contacts.dimension == 2) {
-      motion.r[i + 1] = (mode[k].from.x.sign() > 0 ? -mu : mu) * z[first];
-      motion.r_radius[i + 1] = mu * p[first];
-    }
-    for (std::size_t t = 1; slips && contacts.dimension == 3 && t < 3; ++t) {
-      motion.r[i + t] = -mu * z[first] * z[first + t];
-      motion.r_radius[i + t] = mu * (abs(z[first]) * p[first + t] + (abs(z[first + t]) + p[first + t]) * p[first]);
+    for (std::size_t t = 0; t < unknowns.forces(k); ++t) {
+      motion.r[contacts.normal(k) + t] = point[unknowns.first[k] + t];
+      if (!radius.empty()) motion.r_radius[contacts.normal(k) + t] = radius[unknowns.first[k] + t];
     }
   }
   motion.u = velocities(contacts, motion.r);
@@ -236,16 +392,11 @@ SpatialMotion motion_at(const ExactContacts& contacts, const ContactPattern& mod
 }
 
 std::optional<SpatialMotion> motion_in_box(const ExactContacts& contacts, const ContactPattern& mode,
-                                           const std::vector<double>& zero, const Eigen::MatrixXd& derivative) {
-  const Eigen::FullPivLU<Eigen::MatrixXd> lu(derivative);
-  if (lu.rcond() < 1e-11) return std::nullopt;
-  const Eigen::MatrixXd approximate = lu.inverse();
-  RationalMatrix inverse;
-  for (const auto& row : approximate.rowwise()) {
-    Vector& own = inverse.emplace_back();
-    for (const double x : row) own.push_back(nearest_multiple(x, inverse_bits));
-  }
-  return BoxTest(contacts, mode, zero, std::move(inverse)).motion();
+                                           const std::vector<bool>& touching, const std::vector<double>& zero,
+                                           const Eigen::MatrixXd& derivative) {
+  ModeSquare square(contacts, mode, touching);
+  if (!square.pin(derivative, zero)) return std::nullopt;
+  return BoxTest(square, zero).motion();
 }
 
 }  // namespace slipproof

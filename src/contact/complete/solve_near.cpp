@@ -10,6 +10,13 @@ Rational nearest_multiple(double x, int bits) {
   return to_rational(std::nearbyint(std::ldexp(x, bits))) * power_of_two(-bits);
 }
 
+Rational rounded_down(const Rational& x, int bits) {
+  const Rational scaled = x * power_of_two(bits);
+  Integer quotient;
+  fmpz_fdiv_q(quotient.flint(), numerator(scaled).flint(), denominator(scaled).flint());
+  return Rational(quotient) * power_of_two(-bits);
+}
+
 std::optional<NearSolution> solve_near(const RationalMatrix& system, std::span<const double> near, int bits) {
   const std::size_t n = near.size();
   NearSolution result{std::vector<Rational>(n), n};

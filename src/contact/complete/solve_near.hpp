@@ -10,6 +10,8 @@ namespace slipproof {
 
 /// The nearest multiple of 2^-bits.
 Rational nearest_multiple(double x, int bits);
+/// The largest one that is not above x.
+Rational rounded_down(const Rational& x, int bits);
 
 struct NearSolution {
   std::vector<Rational> x;

@@ -115,7 +115,7 @@ AllSolutions all_solutions_of(const SolutionTree& tree) {
     solution.u = ranges(motion.u, motion.u_radius, scaled.velocity_unit);
     solution.open_directions = motion.open_directions;
     solution.strict = is_strict(scaled.contacts, motion);
-    solution.alone = motion.is_exact() || !motion.alone.empty();
+    solution.alone = motion.is_exact() || !motion.alone.is_zero();
   }
   for (const PatternNode& node : found.nodes) {
     if (node.end == PatternNode::End::undecided) {

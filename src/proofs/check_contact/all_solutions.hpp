@@ -11,10 +11,10 @@ struct AtContact {
   Direction tangential;
 };
 
-inline AtContact at_contact(const Reduced& problem, const Vector& numbers, std::size_t k) {
-  const std::size_t normal = problem.dimension * k;
+inline AtContact at_contact(const Problem& reduced, const Vector& numbers, std::size_t k) {
+  const std::size_t normal = reduced.normal(k);
   AtContact result{numbers[normal], {}};
-  for (std::size_t t = 1; t < problem.dimension; ++t) result.tangential[t - 1] = numbers[normal + t];
+  for (std::size_t t = 1; t < reduced.dimension; ++t) result.tangential[t - 1] = numbers[normal + t];
   return result;
 }
 
@@ -56,14 +56,16 @@ struct Bound {
 /// Reads the tree depth first and judges it on the way; what is wrong first is kept until all is read.
 class AllSolutions {
  public:
-  AllSolutions(const Problem& problem, Reader& reader) : problem_(problem), reader_(reader) {
+  AllSolutions(const Problem& problem, Reader& reader) : reader_(reader) {
     const std::size_t motions = reader.count();
     const Matrix inverse = problem.free > 0 ? reader.entries("eliminated", problem.free, problem.free) : Matrix();
+    problem_.dimension = problem.dimension;
+    problem_.mu = problem.mu;
     judge([&] { problem.require_coulomb(); });
-    judge([&] { reduced_ = Reduced(problem, inverse); });
+    judge([&] { problem_ = reduced(problem, inverse); });
     while (motions_.size() < motions) {
-      ListedMotion& motion = motions_.emplace_back(problem, reader);
-      judge("motion", motions_.size() - 1, [&] { motion.check(problem, reduced_); });
+      ListedMotion& motion = motions_.emplace_back(problem_, reader);
+      judge("motion", motions_.size() - 1, [&] { motion.check(problem_); });
     }
     pattern_.resize(problem.contacts());
     read_tree();
@@ -71,10 +73,17 @@ class AllSolutions {
 
   std::string established() const {
     if (rejected_) throw Rejected(*rejected_);
-    const std::string count = std::to_string(motions_.size());
     if (motions_.empty()) return "no motion at all";
-    if (motions_.size() == 1) return "one motion and no other";
-    return are_different() ? count + " motions and no others" : "at least one motion and at most " + count;
+    const std::string count = std::to_string(motions_.size());
+    const bool different = are_different(), several = motions_.size() > 1;
+    Number reach;
+    for (const ListedMotion& motion : motions_) reach = std::max(reach, motion.reach());
+    if (reach.sign() > 0) {
+      const std::string least = several && different ? count + " motions" : "one motion";
+      return "at least " + least + ", and every motion is within " + decimal(reach) + " of one of " + count;
+    }
+    if (!several) return "one motion and no other";
+    return different ? count + " motions and no others" : "at least one motion and at most " + count;
   }
 
  private:
@@ -203,12 +212,12 @@ class AllSolutions {
     for (const auto& [i, h] : bound.h) g[i] += h;
     for (std::size_t i = 0; i < y.size(); ++i) {
       if (y[i].sign() == 0) continue;
-      for (const auto& [j, a] : reduced_.W[i]) g[j] += a * y[i];
+      for (const auto& [j, a] : problem_.A[i]) g[j] += a * y[i];
     }
     bool strict = false;
     for (std::size_t k = 0; k < pattern_.size(); ++k) {
-      const int motion = over_velocities(pattern_[k], at_contact(reduced_, v, k));
-      const int force = over_forces(pattern_[k], problem_.mu[k], at_contact(reduced_, g, k));
+      const int motion = over_velocities(pattern_[k], at_contact(problem_, v, k));
+      const int force = over_forces(pattern_[k], problem_.mu[k], at_contact(problem_, g, k));
       require(motion >= 0, "contact", k, "v . u may be negative");
       require(force >= 0, "contact", k, "g . r may be negative");
       strict = strict || motion > 0 || force > 0;
@@ -218,11 +227,11 @@ class AllSolutions {
 
   Number value(const Vector& y) const {
     Number sum;
-    for (std::size_t i = 0; i < y.size(); ++i) sum += y[i] * reduced_.q[i];
+    for (std::size_t i = 0; i < y.size(); ++i) sum += y[i] * problem_.c[i];
     return sum;
   }
 
-  Vector read_multipliers() { return reader_.numbers(problem_.size() - problem_.free); }
+  Vector read_multipliers() { return reader_.numbers(problem_.size()); }
 
   void read_empty() {
     const Vector y = read_multipliers();
@@ -245,11 +254,18 @@ class AllSolutions {
 
   void read_known() {
     const ListedMotion& motion = motions_[reader_.index(motions_.size())];
-    if (motion.is_exact()) return read_velocities(motion);
-    judge_node([&] { require(motion.is_alone(), "the motion is not claimed to be alone"); });
+    const MotionBox* alone = motion.alone();
+    if (alone == nullptr) return read_velocities(motion);
     for (std::size_t k = 0; k < pattern_.size(); ++k) {
-      judge_node([&] { require(motion.has_state(k, pattern_[k]), "contact", k, "the motion has another mode"); });
-      read_unknowns(motion, k);
+      judge_node([&] { require(alone->has_state(k, pattern_[k]), "contact", k, "the motion has another mode"); });
+      for (std::size_t t = 0; t < problem_.dimension; ++t) {
+        const std::size_t i = problem_.normal(k) + t;
+        const auto force = alone->alone(i);
+        if (!force) continue;
+        read_bound([&] { return Bound{{}, {{i, 1}}, force->low}; });
+        read_bound([&] { return Bound{{}, {{i, -1}}, -force->high}; });
+      }
+      if (alone->slides_in_space(k)) read_slip(alone->alone_slip(k), k);
     }
   }
 
@@ -258,45 +274,27 @@ class AllSolutions {
     return kind == Kind::stick || (i % problem_.dimension == 0 && (kind == Kind::closed || kind == Kind::slip));
   }
 
-  /// u is that of the motion.
+  /// u is where the motion is.
   void read_velocities(const ListedMotion& motion) {
-    for (std::size_t i = 0; i < problem_.size() - problem_.free; ++i) {
-      if (is_zero_row(i)) {
-        judge_node([&] { require(motion.u(i).low.sign() == 0, "row", i, "u of the motion is not 0"); });
+    for (std::size_t i = 0; i < problem_.size(); ++i) {
+      const auto place = [&, i] { return motion.place(i); };
+      if (!is_zero_row(i)) {
+        read_bound([&] { return Bound{{{i, 1}}, {}, place().low}; });
+        read_bound([&] { return Bound{{{i, -1}}, {}, -place().high}; });
         continue;
       }
-      for (const int sign : {1, -1}) read_bound([&] { return Bound{{{i, sign}}, {}, sign * motion.u(i).low}; });
+      judge_node([&] { require(!place().misses_zero(), "row", i, "u of the motion is not 0"); });
     }
   }
 
-  /// The unknowns of the mode at a contact are within `alone` of the center.
-  void read_unknowns(const ListedMotion& motion, std::size_t k) {
-    const std::size_t first = motion.first(k), row = problem_.dimension * k;
-    for (std::size_t t = 0; t < motion.forces(k); ++t) {
-      const auto middle = [&, t] { return motion.alone(first + t); };
-      read_bound([&] { return Bound{{}, {{row + t, 1}}, middle().low}; });
-      read_bound([&] { return Bound{{}, {{row + t, -1}}, -middle().high}; });
-    }
-    if (!motion.slides_in_space(k)) return;
-    const Direction a = pattern_[k].from, b = pattern_[k].to, m{a[0] + b[0], a[1] + b[1]};
-    judge_node([&] { check_arc(motion, first + 1, a, b); });
-    // With m = a + b and c = 1 + a . b: c <= d . m <= |m| = sqrt(2 c) <= 1 + c/2 in the arc, and u_T . m = v d . m.
-    const auto c = [&] { return 1 + dot(a, b); };
-    read_bound([&] { return Bound{{{row + 1, -m[0]}, {row + 2, -m[1]}}, {}, -(motion.alone(first + 3).high * c())}; });
-    read_bound([&] {
-      return Bound{{{row + 1, m[0]}, {row + 2, m[1]}}, {}, motion.alone(first + 3).low * (1 + c() / 2)};
-    });
-  }
-
-  /// The arc is in the triangle of its ends and the corner m / c of their tangents.
-  static void check_arc(const ListedMotion& motion, std::size_t d, const Direction& a, const Direction& b) {
-    const Number c = 1 + dot(a, b);
-    for (const std::size_t t : {0U, 1U}) {
-      const Range range = motion.alone(d + t);
-      for (const Number& x : {a[t] * c, b[t] * c, a[t] + b[t]}) {
-        require(range.low * c <= x && x <= range.high * c, "the arc is not where the motion is alone");
-      }
-    }
+  /// s is in a range. With m = a + b and c = 1 + a . b: c <= d . m <= |m| = sqrt(2 c) <= 1 + c/2 in the arc, and
+  /// u_T . m = s m r_N d . m.
+  void read_slip(const Range& s, std::size_t k) {
+    const Direction &a = pattern_[k].from, &b = pattern_[k].to;
+    const Number c = 1 + dot(a, b), x = a[0] + b[0], y = a[1] + b[1], &mu = problem_.mu[k];
+    const std::size_t i = problem_.normal(k);
+    read_bound([&] { return Bound{{{i + 1, -x}, {i + 2, -y}}, {{i, s.high * mu * c}}, {}}; });
+    read_bound([&] { return Bound{{{i + 1, x}, {i + 2, y}}, {{i, -(s.low * mu * (1 + c / 2))}}, {}}; });
   }
 
   bool are_different() const {
@@ -308,9 +306,8 @@ class AllSolutions {
     return true;
   }
 
-  const Problem& problem_;
   Reader& reader_;
-  Reduced reduced_;
+  Problem problem_;  ///< without free unknowns
   std::vector<ListedMotion> motions_;
   std::vector<State> pattern_;
   std::vector<Pending> pending_;

@@ -15,8 +15,8 @@ std::string claim(const Problem& problem, Reader& reader, const char* expected) 
   if (reader.accept("eps")) return eps(problem, reader);
   if (reader.accept("none-within")) return none_within(problem, reader);
   if (reader.accept("no-solution")) return no_solution(problem, reader);
-  if (reader.accept("enclosure")) return Enclosure(problem, reader).check();
-  if (reader.accept("ball")) return Ball(problem, reader).check();
+  if (reader.accept("enclosure")) return near_answer<Enclosure>(problem, reader);
+  if (reader.accept("ball")) return near_answer<Ball>(problem, reader);
   if (reader.accept("unique")) return unique(problem, reader);
   if (reader.accept("every-solution")) return every_solution(problem, reader);
   if (reader.accept("all-solutions")) return all_solutions(problem, reader);

@@ -32,6 +32,10 @@ struct Range {
 inline Range around(const Number& middle, const Number& radius) {
   return {middle - radius, middle + radius};
 }
+/// Whether none of them is farther than this from x.
+inline bool is_near(const Range& range, const Number& x, const Number& distance) {
+  return range.low >= x - distance && range.high <= x + distance;
+}
 inline Range operator+(const Range& x, const Range& y) {
   return {x.low + y.low, x.high + y.high};
 }

@@ -25,8 +25,7 @@ using Dropped = std::map<std::size_t, Row>;
 /// equations is for those that derive from it.
 class Neighbourhood {
  public:
-  Neighbourhood(const Problem& problem, Reader& reader) : problem_(problem), rho_(reader.number()) {
-    if (reader.accept("velocities")) eta_ = reader.number();
+  Neighbourhood(const Problem& problem, Reader& reader) : problem_(problem) {
     reader.expect("modes");
     signs_.resize(problem.contacts());
     for (std::size_t k = 0; k < problem.contacts(); ++k) modes_.push_back(mode(reader, k));
@@ -40,10 +39,10 @@ class Neighbourhood {
   }
   virtual ~Neighbourhood() = default;
 
-  std::string check() {
+  /// That there is a solution in the box.
+  void check() {
     opens_ = problem_.law.is(Law::Kind::associated);
     if (!opens_ && !problem_.law.is(Law::Kind::box)) problem_.require_coulomb();
-    require(rho_.sign() >= 0, "RHO is negative");
     for (std::size_t j = 0; j < unknowns_; ++j)
       require(radius_[j].sign() > 0, "unknown", j, "its radius is not positive");
     for (const std::size_t j : pinned_) radius_[j] = 0;
@@ -52,14 +51,22 @@ class Neighbourhood {
     require(pinned_.size() == dropped_.size(), "as many unknowns as equations must be left");
     check_zero();
     for (std::size_t k = 0; k < problem_.contacts(); ++k) check_contact(k);
-    check_distance();
-    const std::string found = "a solution within " + decimal(rho_) + " of the answer";
-    if (!eta_) return found;
-    check_velocities();
-    return found + ", its velocities within " + decimal(*eta_);
+  }
+
+  /// Component i of the solution.
+  Range x(std::size_t i) const {
+    const auto unknown = unknown_.find(i);
+    return unknown == unknown_.end() ? Range() : around(center_[unknown->second], radius_[unknown->second]);
+  }
+  /// Row i of A x + c.
+  Range w(std::size_t i) const {
+    const Equation row = motion(i);
+    return around(row.value, row.value - least(row));
   }
 
  protected:
+  int slip_sign(std::size_t k) const { return signs_[k][0]; }
+
   /// The equations that are kept have a zero within the radii of the center.
   virtual void check_zero() const = 0;
 
@@ -72,8 +79,10 @@ class Neighbourhood {
   }
 
   const Problem& problem_;
-  std::size_t unknowns_ = 0;  ///< and equations
-  Vector center_, radius_;    ///< radius 0 where pinned
+  std::vector<Mode> modes_;
+  std::size_t unknowns_ = 0;                    ///< and equations
+  std::map<std::size_t, std::size_t> unknown_;  ///< the place among the unknowns of a component of x that is one
+  Vector center_, radius_;                      ///< radius 0 where pinned
   Indices pinned_;
   Dropped dropped_;
 
@@ -277,32 +286,8 @@ class Neighbourhood {
     require(!cone || force <= square(limit), "contact", k, "the force may leave the friction cone");
   }
 
-  void check_distance() const {
-    const Vector& answer = problem_.the_answer();
-    for (std::size_t i = 0; i < problem_.size(); ++i) {
-      const auto unknown = unknown_.find(i);
-      const bool is_zero = unknown == unknown_.end();
-      const Number distance =
-          is_zero ? abs(answer[i]) : abs(center_[unknown->second] - answer[i]) + radius_[unknown->second];
-      require(distance <= rho_, "component", i, "the solution may be farther than RHO from the answer");
-    }
-  }
-
-  void check_velocities() const {
-    for (std::size_t i = problem_.free; i < problem_.size(); ++i) {
-      Equation moved = motion(i);
-      moved.value += -problem_.motion(i, problem_.the_answer());
-      const Number spread = moved.value - least(moved);
-      require(abs(moved.value) + spread <= *eta_, "row", i, "the velocity may be farther than ETA from the answer's");
-    }
-  }
-
-  Number rho_;
-  std::optional<Number> eta_;
   bool opens_ = false;  ///< by the associated law, what slides
-  std::vector<Mode> modes_;
   std::vector<Signs> signs_;
-  std::map<std::size_t, std::size_t> unknown_;  ///< the place among the unknowns of a component of x that is one
   std::vector<Equation> equations_;
 };
 
@@ -331,10 +316,37 @@ class Enclosure : public Neighbourhood {
       for (std::size_t k = 0; k < unknowns_; ++k) spread += abs(product[k]) * radius_[k];
       require(spread < radius_[j], "unknown", j, "|I - R J| p is not less than its radius");
       require(abs(shift) + spread + rest <= radius_[j], "unknown", j, "the box is not mapped into its radius");
+      require(spread + 4 * alone_ * rest < radius_[j], "unknown", j, "there may be two zeros where it is alone");
     }
   }
 
+ protected:
+  Number alone_{};  ///< how many times the radii hold no second zero
+
+ private:
   Matrix inverse_;
 };
+
+/// The answer is near a solution that a box holds.
+template <class Box>
+std::string near_answer(const Problem& problem, Reader& reader) {
+  const Number rho = reader.number();
+  const bool moves = reader.accept("velocities");
+  const Number eta = moves ? reader.number() : Number();
+  Box box(problem, reader);
+  require(rho.sign() >= 0, "RHO is negative");
+  box.check();
+  const Vector& answer = problem.the_answer();
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    require(is_near(box.x(i), answer[i], rho), "component", i, "the solution may be farther than RHO from the answer");
+  }
+  const std::string found = "a solution within " + decimal(rho) + " of the answer";
+  if (!moves) return found;
+  for (std::size_t i = problem.free; i < problem.size(); ++i) {
+    require(is_near(box.w(i), problem.motion(i, answer), eta), "row", i,
+            "the velocity may be farther than ETA from the answer's");
+  }
+  return found + ", its velocities within " + decimal(eta);
+}
 
 }  // namespace slipproof::check_contact

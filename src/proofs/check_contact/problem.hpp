@@ -35,7 +35,7 @@ struct Law {
 
 /// w = A x + c.
 struct Problem {
-  std::size_t dimension, free;
+  std::size_t dimension = 3, free = 0;
   Vector mu;
   Matrix A;
   Vector c;
@@ -43,6 +43,7 @@ struct Problem {
   std::optional<Vector> answer;
   std::optional<std::string> named;  ///< the name of the problem that the file states
 
+  Problem() = default;
   explicit Problem(Reader& reader) {
     reader.expect("slipproof-contact");
     reader.expect("1");

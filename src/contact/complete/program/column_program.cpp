@@ -3,7 +3,7 @@
 #ifdef SLIPPROOF_CLP
 
 #include <cmath>
-#include <coin/ClpSimplex.hpp>
+#include <coin/ClpSimplexPrimal.hpp>
 
 namespace slipproof {
 
@@ -60,8 +60,8 @@ bool ColumnProgram::solve(double tolerance) {
   if (!clp_->finite) return false;
   clp_->simplex.setPrimalTolerance(tolerance);
   clp_->simplex.setDualTolerance(tolerance);
-  clp_->simplex.primal();
-  return clp_->simplex.status() == 0;
+  // Its own way on from here, where this gives up, is the dual method, which may end the process with an assertion.
+  return static_cast<ClpSimplexPrimal&>(clp_->simplex).primal(0, 0) == 0;
 }
 
 void ColumnProgram::set_cost(std::size_t column, double cost) {

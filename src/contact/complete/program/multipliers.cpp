@@ -12,12 +12,8 @@ namespace {
 using Kind = ContactState::Kind;
 
 constexpr double most_slack = 1e-8;  ///< by which equations may fail, so that a program with a point has it still
-/// What conditions keep, so that multipliers can be rounded, and to how many bits after the leading one of the largest.
-struct Precision {
-  double margin;
-  int places;
-  double tolerance;  ///< of the program
-};
+using Precision = PatternProgram::Precision;
+
 constexpr std::array<Precision, 2> precisions{{{0x1p-18, 24, 1e-9}, {0x1p-34, 46, 1e-12}}};
 constexpr int face_bits = 24;
 
@@ -97,22 +93,38 @@ std::optional<std::vector<double>> PatternProgram::least_duals(std::span<const d
   return y;
 }
 
-std::vector<Rational> PatternProgram::prove_least(const ContactForm& form, const Rational& least) {
+/// Multipliers of a form with a precision; without one on their face.
+std::vector<Rational> PatternProgram::proposed(const ContactForm& form, const Precision* precision, double& value) {
   const DenseForm dense(form, contacts_.size());
-  const auto proves = [&](const std::vector<Rational>& y) {
-    const auto bound = lower_bound(exact_, integers_, pattern_, form, y);
-    return bound && bound->value >= least;
-  };
-  const double wanted = least.to_double() / dense.size;
-  for (const bool exactly : {false, true}) {
-    auto y = least_duals(dense.f, dense.h, exactly ? 0 : precisions[0].margin, exactly);
-    if (!y && !exactly) y = least_duals(dense.f, dense.h, precisions[0].margin, false, most_slack);
-    if (!y) continue;
-    const double found = value_of(*y);
-    for (double& x : *y) x *= dense.size;
-    std::vector<Rational> proposed = exactly ? on_face(*y, form) : rounded(*y, form, precisions[0].places);
-    if (!proposed.empty() && proves(proposed)) return proposed;
-    if (found < wanted - 1e-4 * (1 + std::abs(wanted))) return {};
+  const double margin = precision != nullptr ? precision->margin : 0;
+  const bool exactly = precision != precisions.data();
+  auto y = least_duals(dense.f, dense.h, margin, exactly);
+  if (!y && precision != nullptr) y = least_duals(dense.f, dense.h, margin, exactly, most_slack);
+  if (!y) return {};
+  for (double& x : *y) x *= dense.size;
+  value = value_of(*y);
+  return precision != nullptr ? rounded(*y, form, precision->places) : on_face(*y, form);
+}
+
+std::vector<Rational> PatternProgram::prove_least(const ContactForm& form, const Rational& least) {
+  const double size = DenseForm(form, contacts_.size()).size, wanted = least.to_double();
+  for (const Precision* precision :
+       {precisions.data(), precisions.data() + 1, static_cast<const Precision*>(nullptr)}) {
+    double found = wanted;
+    std::vector<Rational> y = proposed(form, precision, found);
+    const auto bound = y.empty() ? std::nullopt : lower_bound(exact_, integers_, pattern_, form, y);
+    if (bound && bound->value >= least) return y;
+    if (found < wanted - 1e-4 * (size + std::abs(wanted))) return {};
+  }
+  return {};
+}
+
+std::vector<Rational> PatternProgram::prove_best(const ContactForm& form) {
+  for (const Precision* precision :
+       {precisions.data() + 1, precisions.data(), static_cast<const Precision*>(nullptr)}) {
+    double value = 0;
+    std::vector<Rational> y = proposed(form, precision, value);
+    if (!y.empty() && lower_bound(exact_, integers_, pattern_, form, y)) return y;
   }
   return {};
 }

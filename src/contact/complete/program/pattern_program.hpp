@@ -52,6 +52,9 @@ class PatternProgram {
   /// Multipliers that prove that a form is at least `least`; empty where none were found. After feasibility(), where
   /// that found a point.
   std::vector<Rational> prove_least(const ContactForm& form, const Rational& least);
+  /// Multipliers that prove nearly the greatest lower bound of a form that there is; empty where none were found. After
+  /// feasibility(), where that found a point.
+  std::vector<Rational> prove_best(const ContactForm& form);
   /// Where in the arc of a contact that slips, from 0 to 1 of its angle, velocities and forces of the program point,
   /// about. After feasibility(), where that found a point.
   std::array<double, 2> directions(std::size_t contact);
@@ -60,6 +63,14 @@ class PatternProgram {
   ProposedPoint middle();
   /// How many programs were solved.
   std::size_t solved() const { return solved_; }
+
+  /// What conditions keep, so that multipliers can be rounded, and to how many bits after the leading one of the
+  /// largest.
+  struct Precision {
+    double margin;
+    int places;
+    double tolerance;  ///< of the program
+  };
 
  private:
   struct Edge {
@@ -82,6 +93,7 @@ class PatternProgram {
   std::vector<Rational> rounded(std::span<const double> y, const ContactForm& form, int places) const;
   std::optional<std::vector<double>> least_duals(std::span<const double> f, std::span<const double> h, double kept,
                                                  bool exactly = false, double slack = 0);
+  std::vector<Rational> proposed(const ContactForm& form, const Precision* precision, double& value);
   double value_of(std::span<const double> y) const;
   std::optional<double> least_slope(bool forces, std::size_t row, double middle, double side);
   std::vector<Rational> excluded(const ContactForm& form);
