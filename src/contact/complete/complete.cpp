@@ -237,7 +237,7 @@ class SolutionSearch {
     return any ? result : std::vector<Rational>();
   }
 
-  static constexpr int near_bits = 20;
+  static constexpr int near_bits = 16;
   static constexpr int continuum_bits = 4;
 
   CompleteSolutions& found_;

@@ -79,6 +79,10 @@ class MotionFinder {
   bool newton(std::vector<double>& z) {
     const auto equations = mode_equations<double>(contacts_, exact_, mode_, unknowns_);
     const auto n = static_cast<Eigen::Index>(z.size());
+    std::vector<Eigen::Index> held;  // forces of contacts that touch
+    for (std::size_t k = 0; k < touching_.size(); ++k) {
+      if (touching_[k]) held.push_back(static_cast<Eigen::Index>(unknowns_.first[k])), z[unknowns_.first[k]] = 0;
+    }
     Eigen::MatrixXd J(n, n);
     Eigen::VectorXd F(n);
     for (int step = 0; step < 40; ++step) {
@@ -87,6 +91,7 @@ class MotionFinder {
         F[i] = value_at(equation, z);
         J.row(i) = Eigen::Map<const Eigen::VectorXd>(slope_at(equation, z).data(), n);
       }
+      for (const Eigen::Index j : held) J.col(j).setZero();
       const Eigen::VectorXd d = J.completeOrthogonalDecomposition().solve(F);
       if (!d.allFinite()) return false;
       double size = 0;

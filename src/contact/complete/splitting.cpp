@@ -71,15 +71,14 @@ std::vector<Direction> cuts_of(const ContactState& arc, std::size_t contact,
 }
 
 std::vector<ContactState> ways_to_touch(std::size_t dimension) {
-  const Direction x{1, 0, 1}, y{0, 1, 1}, minus_x{-1, 0, 1}, minus_y{0, -1, 1};
   std::vector<ContactState> states{{Kind::stick, {}, {}}};
   if (dimension == 2) {
-    for (const Direction& d : {x, minus_x}) states.push_back({Kind::slip, d, d});
-  } else {
-    states.insert(
-        states.end(),
-        {{Kind::slip, x, y}, {Kind::slip, y, minus_x}, {Kind::slip, minus_x, minus_y}, {Kind::slip, minus_y, x}});
+    for (const Direction& d : {Direction{1, 0, 1}, Direction{-1, 0, 1}}) states.push_back({Kind::slip, d, d});
+    return states;
   }
+  // Not along the axes and diagonals: symmetric problems slip there, and would be at the ends of two arcs.
+  const Direction a{12, 5, 13}, b{-5, 12, 13}, c{-12, -5, 13}, d{5, -12, 13};
+  states.insert(states.end(), {{Kind::slip, a, b}, {Kind::slip, b, c}, {Kind::slip, c, d}, {Kind::slip, d, a}});
   return states;
 }
 

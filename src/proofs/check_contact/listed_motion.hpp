@@ -52,11 +52,12 @@ struct State {
   Direction from{}, to{};  ///< slip: the ends of the arc; in dimension 2 both are (1, 0) or (-1, 0)
 };
 
-/// The unknowns of its mode have no other zero within `alone` times its radii, if that is not 0.
+/// Where it is alone, the unknowns of its mode have no other zero within `alone` times its radii.
 class MotionBox : public Enclosure {
  public:
   MotionBox(const Problem& problem, Reader& reader) : Enclosure(problem, reader) {
-    if (reader.accept("alone")) alone_ = reader.number();
+    is_alone_ = reader.accept("alone");
+    if (is_alone_) alone_ = reader.number();
   }
 
   void check() {
@@ -64,7 +65,7 @@ class MotionBox : public Enclosure {
     Enclosure::check();
   }
 
-  bool is_alone() const { return alone_.sign() != 0; }
+  bool is_alone() const { return is_alone_; }
 
   /// Whether the mode has this state at a contact, in whatever arc.
   bool has_state(std::size_t k, const State& state) const {
@@ -86,6 +87,7 @@ class MotionBox : public Enclosure {
   Range alone_slip(std::size_t k) const { return alone_unknown(unknown_.at(problem_.normal(k)) + 3); }
 
  private:
+  bool is_alone_;
   Range alone_unknown(std::size_t j) const { return around(center_[j], alone_ * radius_[j]); }
 };
 
@@ -100,7 +102,7 @@ class ListedMotion {
     } else {
       reader.refuse("'exact' or 'box'");
     }
-    if (reader.accept("within")) within_ = reader.numbers(reduced.size());
+    if (alone() == nullptr && reader.accept("within")) within_ = reader.numbers(reduced.size());
   }
 
   /// That there is such a motion.

@@ -47,12 +47,18 @@ ColumnProgram::ColumnProgram(const std::vector<double>& right_side, const std::v
                       lower.data(), upper.data(), costs.data(), row_lower.data(), row_upper.data());
   simplex.scaling(0);
   simplex.setMaximumIterations(2000);
+  begin_with_slacks();
+}
+
+void ColumnProgram::begin_with_slacks() {
+  ClpSimplex& simplex = clp_->simplex;
   simplex.createStatus();
-  for (int i = 0; i < static_cast<int>(all); ++i) simplex.setColumnStatus(i, ClpSimplex::atLowerBound);
-  for (std::size_t i = 0; i < rows_; ++i) {
-    const int row = static_cast<int>(i);
-    simplex.setRowStatus(row, free_rows[i] ? ClpSimplex::basic : ClpSimplex::isFixed);
-    if (!free_rows[i]) simplex.setColumnStatus(2 * row + (right_side[i] >= 0 ? 0 : 1), ClpSimplex::basic);
+  for (int i = 0; i < simplex.numberColumns(); ++i) simplex.setColumnStatus(i, ClpSimplex::atLowerBound);
+  for (int row = 0; row < static_cast<int>(rows_); ++row) {
+    const double right_side = simplex.rowUpper()[row];
+    const bool is_free = right_side == COIN_DBL_MAX;
+    simplex.setRowStatus(row, is_free ? ClpSimplex::basic : ClpSimplex::isFixed);
+    if (!is_free) simplex.setColumnStatus(2 * row + (right_side >= 0 ? 0 : 1), ClpSimplex::basic);
   }
 }
 
@@ -61,7 +67,10 @@ bool ColumnProgram::solve(double tolerance) {
   clp_->simplex.setPrimalTolerance(tolerance);
   clp_->simplex.setDualTolerance(tolerance);
   // Its own way on from here, where this gives up, is the dual method, which may end the process with an assertion.
-  return static_cast<ClpSimplexPrimal&>(clp_->simplex).primal(0, 0) == 0;
+  auto& simplex = static_cast<ClpSimplexPrimal&>(clp_->simplex);
+  if (simplex.primal(0, 0) == 0) return true;
+  begin_with_slacks();
+  return simplex.primal(0, 0) == 0;
 }
 
 void ColumnProgram::set_cost(std::size_t column, double cost) {

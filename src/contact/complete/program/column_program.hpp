@@ -35,6 +35,8 @@ class ColumnProgram {
   double price(std::size_t row) const;  ///< the multiplier of a row
 
  private:
+  void begin_with_slacks();
+
   struct Clp;
   std::unique_ptr<Clp> clp_;
   std::size_t rows_;

@@ -37,15 +37,22 @@ struct DenseForm {
 
 }  // namespace
 
-/// In short numbers. What is within `small` of the form, or has to be the form, is that.
-std::vector<Rational> PatternProgram::rounded(std::span<const double> y, const ContactForm& form, int places) const {
+/// In short numbers, that differ by less than conditions keep. What is within `small` of the form, or has to be the
+/// form, is that.
+std::vector<Rational> PatternProgram::rounded(std::span<const double> y, const ContactForm& form, int places,
+                                              double kept) const {
   double largest = 0;
   for (const double x : y) largest = std::max(largest, std::abs(x));
-  const double step = largest > 0 ? std::ldexp(power_near(largest), -places) : 1;
+  double step = largest > 0 ? std::ldexp(power_near(largest), -places) : 1;
+  double nothing = small;
+  if (kept > 0) {
+    step = std::min(step, power_near(kept / 64));
+    nothing = std::min(small, kept / 64);
+  }
   std::vector<Rational> result(y.size());
   for (const auto& [i, value] : form.u) result[i] = value;
   for (std::size_t i = 0; i < y.size(); ++i) {
-    if (allows_any_velocity(pattern_, contacts_.dimension, i) || std::abs(y[i] - result[i].to_double()) < small)
+    if (allows_any_velocity(pattern_, contacts_.dimension, i) || std::abs(y[i] - result[i].to_double()) < nothing)
       continue;
     result[i] = to_rational(std::nearbyint(y[i] / step) * step);
   }
@@ -58,7 +65,7 @@ const std::vector<Rational>& PatternProgram::prove_empty() {
   for (const Precision& precision : precisions) {
     set_costs({}, {}, precision.margin);
     if (!solve(precision.tolerance) || program_->least() <= 0) continue;
-    proved_ = rounded(duals(), {}, precision.places);
+    proved_ = rounded(duals(), {}, precision.places, precision.margin);
     if (proves_empty(exact_, integers_, pattern_, proved_)) return proved_;
   }
   proved_ = on_face(y, {});
@@ -103,7 +110,7 @@ std::vector<Rational> PatternProgram::proposed(const ContactForm& form, const Pr
   if (!y) return {};
   for (double& x : *y) x *= dense.size;
   value = value_of(*y);
-  return precision != nullptr ? rounded(*y, form, precision->places) : on_face(*y, form);
+  return precision != nullptr ? rounded(*y, form, precision->places, margin * dense.size) : on_face(*y, form);
 }
 
 std::vector<Rational> PatternProgram::prove_least(const ContactForm& form, const Rational& least) {

@@ -90,7 +90,7 @@ class PatternProgram {
   double column_cost(const Edge& edge, std::span<const double> f, std::span<const double> h) const;
   ProposedPoint point() const;
   std::vector<double> duals() const;
-  std::vector<Rational> rounded(std::span<const double> y, const ContactForm& form, int places) const;
+  std::vector<Rational> rounded(std::span<const double> y, const ContactForm& form, int places, double kept = 0) const;
   std::optional<std::vector<double>> least_duals(std::span<const double> f, std::span<const double> h, double kept,
                                                  bool exactly = false, double slack = 0);
   std::vector<Rational> proposed(const ContactForm& form, const Precision* precision, double& value);
