@@ -258,6 +258,7 @@ Definition check_body (i : instance) (p : tables) (b : body) : bool :=
   | NoSolution y, _ => check_no_solution p y
   | Dominant d, _ => check_dominant p d
   | Definite l, _ => check_definite p (entries i) l
+  | AllSolutions _ _ _, _ => false
   | _, None => false
   end.
 

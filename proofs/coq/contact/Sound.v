@@ -39,6 +39,8 @@ Proof.
   - apply (check_dominant_sound i W F) in H. exact H.
   - apply (check_definite_sound i W F) in H. exact H.
   - apply (check_definite_sound i W F) in H. exact H.
+  - discriminate H.
+  - discriminate H.
 Qed.
 
 (** The theorem for data instead of a text. *)
