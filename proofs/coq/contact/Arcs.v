@@ -137,20 +137,58 @@ Proof.
   exists b. split; [apply in_or_app; right; left; reflexivity|]. unfold turn in *. lra.
 Qed.
 
+Lemma in_arc_single a e : in_arc a a e -> e = a.
+Proof.
+  intros [[A _] [E [x [y [X [Y [E1 E2]]]]]]].
+  assert (Q : (x + y) * (x + y) = 1).
+  { rewrite <- E. unfold inner in *. rewrite E1, E2.
+    replace ((x + y) * (x + y)) with ((x + y) * (x + y) * (fst a * fst a + snd a * snd a)) by (rewrite A; ring). ring. }
+  assert (S : x + y = 1) by nra. rewrite (surjective_pairing e), (surjective_pairing a). f_equal.
+  - transitivity ((x + y) * fst a); [rewrite E1; ring | rewrite S; ring].
+  - transitivity ((x + y) * snd a); [rewrite E2; ring | rewrite S; ring].
+Qed.
+
+(** A direction of an arc is a sum of its ends whose coefficients sum up to 1 at least. *)
+Lemma in_arc_sum a b e : in_arc a b e -> exists s, 1 <= s /\
+  forall c, inner c a + inner c b = 2 * inner c a -> inner c e = s * inner c a.
+Proof.
+  intros [[A [B _]] [E [x [y [X [Y [E1 E2]]]]]]]. exists (x + y). split; [|intros c C; unfold inner in *; rewrite E1, E2; nra].
+  assert (K : inner a b <= 1).
+  { assert (Q := Rle_0_sqr (fst a - fst b)). assert (Q' := Rle_0_sqr (snd a - snd b)). unfold Rsqr, inner in *. nra. }
+  assert (S : x * x + y * y + 2 * (x * y) * inner a b = 1).
+  { rewrite <- E at 1. unfold inner in *. rewrite E1, E2.
+    transitivity (x * x * (fst a * fst a + snd a * snd a) + y * y * (fst b * fst b + snd b * snd b)
+      + 2 * (x * y) * (fst a * fst b + snd a * snd b)); [rewrite A, B; ring | ring]. }
+  assert (0 <= x * y) by (apply Rmult_le_pos; assumption). nra.
+Qed.
+
+(** With m = a + b and c = 1 + a . b, c <= e . m <= |m| = sqrt(2 c) <= 1 + c / 2. *)
+Lemma in_arc_middle a b e : in_arc a b e -> let c := 1 + inner a b in let m := (fst a + fst b, snd a + snd b) in
+  0 < c /\ c <= inner m e <= 1 + c / 2.
+Proof.
+  intros I c m. destruct (in_arc_sum _ _ _ I) as [s [S P]]. destruct I as [[A [B T]] [E _]].
+  assert (C : 0 < c).
+  { unfold c. destruct T as [T| ->]; [|rewrite B; lra].
+    assert (Q : inner a b * inner a b + turn a b * turn a b = 1).
+    { transitivity (inner a a * inner b b); [unfold inner, turn; ring | rewrite A, B; ring]. } nra. }
+  assert (MA : inner m a = c) by (unfold c; rewrite <- A; unfold inner, m; cbn; ring).
+  assert (MB : inner m b = c) by (unfold c; rewrite <- B; unfold inner, m; cbn; ring).
+  split; [exact C|]. split; [rewrite P, MA by lra; nra|].
+  assert (Q : inner m e * inner m e <= 2 * c).
+  { assert (Q := Rle_0_sqr (fst m * snd e - snd m * fst e)). unfold Rsqr in Q.
+    assert (MM : inner m m = 2 * c).
+    { transitivity (inner a a + inner b b + 2 * inner a b); [unfold inner, m; cbn; ring | rewrite A, B; unfold c; ring]. }
+    rewrite <- MM, <- (Rmult_1_r (inner m m)), <- E. unfold inner. nra. }
+  assert (Q' := Rle_0_sqr (1 - c / 2)). unfold Rsqr in Q'. nra.
+Qed.
+
 (** On an arc no product is greater than at both ends, unless the other vector points into it. *)
 Lemma greatest_at_ends a b e g : in_arc a b e -> ~ (0 < turn a g /\ 0 < turn g b) ->
   inner g e <= Rmax (inner g a) (inner g b).
 Proof.
-  intros I O. assert (T := in_arc_ends _ _ _ I).
+  intros I O. assert (T := in_arc_ends _ _ _ I). assert (Single := in_arc_single a e).
   destruct I as [[A [B [C | <-]]] [E [x [y [X [Y [E1 E2]]]]]]].
-  2: { assert (S : x + y = 1).
-       { assert (Q : (x + y) * (x + y) = 1).
-         { rewrite <- E. unfold inner in *. rewrite E1, E2.
-           replace ((x + y) * (x + y)) with ((x + y) * (x + y) * (fst a * fst a + snd a * snd a)) by (rewrite A; ring). ring. }
-         nra. }
-       rewrite Rmax_left by lra. unfold inner. rewrite E1, E2.
-       replace (fst g * (x * fst a + y * fst a) + snd g * (x * snd a + y * snd a))
-         with ((x + y) * (fst g * fst a + snd g * snd a)) by ring. rewrite S. lra. }
+  2: { rewrite Single, Rmax_left; [lra | lra|]. split; [split; auto|]. split; [exact E|]. exists x, y. auto. }
   assert (Cos : forall c, inner c c = 1 -> inner c e <= 1).
   { intros c U. assert (Q := Rle_0_sqr (fst c - fst e)). assert (Q' := Rle_0_sqr (snd c - snd e)).
     unfold Rsqr, inner in *. nra. }

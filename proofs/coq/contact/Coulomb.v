@@ -110,14 +110,17 @@ Definition is_listed (p : problem) (m : listed_motion) (x : nat -> R) : Prop :=
   solution p x /\ in_box p m x /\ forall modes k, listed_modes m = Some modes -> (k < contacts p)%nat ->
     in_mode (dimension p) (friction p k) (modes k) (of_contact p k x) (of_contact p k (motion p x)).
 
-(** The motions in the list exist, and each solution has the velocities of one of them; or, where one has a distance, each of
-    its velocities is within this distance of one that forces in the box give. *)
+(** A solution has the velocities of a motion that was found; or, where that has a distance, each of its velocities is within
+    this distance of one that forces in the box give. *)
+Definition is_near (p : problem) (m : listed_motion) (found x : nat -> R) : Prop :=
+  forall j, (j < dimension p * contacts p)%nat ->
+    match distance m with
+    | None => motion p x (free p + j)%nat = motion p found (free p + j)%nat
+    | Some e => exists y, in_box p m y /\ Rabs (motion p x (free p + j)%nat - motion p y (free p + j)%nat) <= e j
+    end.
+
+(** The motions in the list exist, and each solution is near one of them. *)
 Definition all_motions (p : problem) (l : list listed_motion) : Prop :=
   exists found : nat -> nat -> R,
     (forall i m, nth_error l i = Some m -> is_listed p m (found i)) /\
-    forall x, solution p x -> exists i m, nth_error l i = Some m /\
-      forall j, (j < dimension p * contacts p)%nat ->
-        match distance m with
-        | None => motion p x (free p + j)%nat = motion p (found i) (free p + j)%nat
-        | Some e => exists y, in_box p m y /\ Rabs (motion p x (free p + j)%nat - motion p y (free p + j)%nat) <= e j
-        end.
+    forall x, solution p x -> exists i m, nth_error l i = Some m /\ is_near p m (found i) x.

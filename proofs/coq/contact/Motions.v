@@ -53,6 +53,8 @@ Definition opposite_direction (a : direction) : direction := (opp (fst a), opp (
 Definition nowhere : direction := (zero, zero).
 Definition ahead : direction := (one, zero).
 
+Definition same_direction (a b : direction) : bool := eq (fst a) (fst b) && eq (snd a) (snd b).
+
 Inductive state := AnyState | OpenState | ClosedState | StickState | SlipState (a b : direction).
 
 Definition pattern := PositiveMap.t state.
@@ -278,16 +280,15 @@ Section Known.
        end.
 
   Definition fits (c : contact) : bool :=
-    let points (a e : direction) := eq (fst a) (fst e) && eq (snd a) (snd e) in
     match its_mode c, state_at c with
     | Open, OpenState => true
     | Stick, StickState => has_friction (t_dim p) c
     | Stick, ClosedState => negb (has_friction (t_dim p) c)
     | Slide, SlipState _ _ => has_friction (t_dim p) c && N.eqb (t_dim p) 3
-    | SlidePlus, SlipState a b_ => has_friction (t_dim p) c && N.eqb (t_dim p) 2 && points a ahead && points b_ ahead
+    | SlidePlus, SlipState a b_ => has_friction (t_dim p) c && N.eqb (t_dim p) 2 && same_direction a ahead && same_direction b_ ahead
     | SlideMinus, SlipState a b_ =>
         has_friction (t_dim p) c && N.eqb (t_dim p) 2
-        && points a (opposite_direction ahead) && points b_ (opposite_direction ahead)
+        && same_direction a (opposite_direction ahead) && same_direction b_ (opposite_direction ahead)
     | _, _ => false
     end.
 End Known.
