@@ -1,7 +1,7 @@
 (** Reads certificates. Nothing rests on it: what was read is written and compared with the text. *)
 From Coq Require Import Ascii String NArith ZArith List Bool FMapPositive.
 From Slipproof Require Import Text.
-From Slipproof.contact Require Import Coulomb Number Linear Zero Certificate Checker.
+From Slipproof.contact Require Import Coulomb Number Linear Zero Certificate Checker Motions.
 Import ListNotations.
 Local Open Scope string_scope.
 Local Open Scope N_scope.
@@ -112,13 +112,10 @@ Section Claims.
     let* x := numbers_after "point" n (snd m) in let* w := numbers_after "motion" n (snd x) in
     Some (Eps (fst b) (fst m) (fst x) (fst w), snd w).
 
-  (** What enclosures and balls have in common, and how many unknowns and equations are left. *)
-  Definition read_near : reader ((number * option number * list mode * list number * list number * list N
-      * list (N * list (N * number))) * (N * N)) := fun ts =>
-    let* rho := one_number ts in
-    let* eta := (if at_word "velocities" (snd rho)
-                 then let* e := one_number (tl (snd rho)) in Some (Some (fst e), snd e) else Some (None, snd rho)) in
-    let* _m := word "modes" (snd eta) in
+  (** What enclosures, balls and boxes of motions have in common, and how many unknowns and equations are left. *)
+  Definition read_box (i : instance) : reader ((list mode * list number * list number * list N * list (N * list (N * number)))
+      * (N * N)) := fun ts =>
+    let* _m := word "modes" ts in
     let* modes := some_modes (dim i) (frictions i) [] (snd _m) in
     let count := N.of_nat (List.length (unknowns (tables_of i) (fst modes))) in
     let* z := numbers_after "center" count (snd modes) in
@@ -129,19 +126,26 @@ Section Claims.
     let* _d := word "dropped" (snd pinned) in
     let* nd := counted most (snd _d) in
     let* dropped := some_dropped (snd nd) most (fst nd) count (PositiveMap.empty unit) [] (snd nd) in
-    Some ((fst rho, fst eta, fst modes, fst z, fst p, fst pinned, fst dropped, (count - fst np, count - fst nd)), snd dropped).
+    Some ((fst modes, fst z, fst p, fst pinned, fst dropped, (count - fst np, count - fst nd)), snd dropped).
+
+  Definition read_distance : reader (number * option number) := fun ts =>
+    let* rho := one_number ts in
+    if at_word "velocities" (snd rho)
+    then let* e := one_number (tl (snd rho)) in Some ((fst rho, Some (fst e)), snd e) else Some ((fst rho, None), snd rho).
 
   Definition read_enclosure : reader body := fun ts =>
-    match read_near ts with
-    | Some ((rho, eta, modes, z, p, pinned, dropped, (free_, kept)), r) =>
+    let* distance := read_distance ts in let (rho, eta) := fst distance in
+    match read_box i (snd distance) with
+    | Some ((modes, z, p, pinned, dropped, (free_, kept)), r) =>
         let* a := matrix_after "inverse" most free_ kept r in
         Some (Enclosure rho eta modes z p pinned dropped (fst a), snd a)
     | None => None
     end.
 
   Definition read_ball : reader body := fun ts =>
-    match read_near ts with
-    | Some ((rho, eta, modes, z, p, pinned, dropped, (free_, kept)), r) =>
+    let* distance := read_distance ts in let (rho, eta) := fst distance in
+    match read_box i (snd distance) with
+    | Some ((modes, z, p, pinned, dropped, (free_, kept)), r) =>
         let* rows := numbers_after "rows" kept r in
         let* _s := word "least" (snd rows) in let* s := one_number (snd _s) in
         let* _f := word "defect" (snd s) in let* f := one_number (snd _f) in
@@ -151,10 +155,97 @@ Section Claims.
     | None => None
     end.
 
+  (** All motions *)
+  Let small := Instance (dim i) 0 (frictions i) [] [] None.
+  Let k := N.of_nat (List.length (frictions i)).
+  Let forces := dim i * k.
+
+  Definition read_distances : reader (option (list number)) := fun ts =>
+    if at_word "within" ts then let* e := some_numbers forces [] (tl ts) in Some (Some (fst e), snd e) else Some (None, ts).
+
+  Definition read_listed : reader listed := fun ts =>
+    let* _m := word "motion" ts in
+    if at_word "exact" (snd _m) then
+      let* r := some_numbers forces [] (tl (snd _m)) in let* e := read_distances (snd r) in
+      Some (Exact (fst r) (fst e), snd e)
+    else
+      let* _b := word "box" (snd _m) in
+      match read_box small (snd _b) with
+      | Some ((modes, z, p, pinned, dropped, (free_, kept)), r) =>
+          let* a := matrix_after "inverse" most free_ kept r in
+          let box := Boxed modes z p pinned dropped (fst a) in
+          if at_word "alone" (snd a) then let* l := one_number (tl (snd a)) in Some (box (Alone (fst l)), snd l) else
+          let* e := read_distances (snd a) in
+          Some (box (match fst e with Some e => Within e | None => Unbounded end), snd e)
+      | None => None
+      end.
+
+  Fixpoint some_listed (fuel : list string) (n : N) (done : list listed) (ts : list string) : option (list listed * list string) :=
+    if n =? 0 then Some (rev' done, ts) else
+    match fuel with
+    | [] => None
+    | _ :: fuel => let* m := read_listed ts in some_listed fuel (N.pred n) (fst m :: done) (snd m)
+    end.
+
+  Fixpoint some_directions (n : N) (done : list direction) (ts : list string) : option (list direction * list string) :=
+    if n =? 0 then Some (rev' done, ts) else
+    match ts with
+    | a :: b :: r => let* x := number_of a in let* y := number_of b in some_directions (N.pred n) ((x, y) :: done) r
+    | _ => None
+    end.
+
+  Definition directions_of : reader (list direction) := fun ts =>
+    let* n := counted most ts in some_directions (fst n) [] (snd n).
+
+  Fixpoint some_multipliers (fuel : list bound) (done : list (list number)) (ts : list string) :
+      option (list (list number) * list string) :=
+    match fuel with
+    | [] => Some (rev' done, ts)
+    | _ :: fuel => let* y := some_numbers forces [] ts in some_multipliers fuel (fst y :: done) (snd y)
+    end.
+
+  (** How many multipliers a known case has depends on its pattern. *)
+  Definition read_node (motions : PositiveMap.t listed) (count : N) (s : pattern) : reader node := fun ts =>
+    if at_word "decide" ts then let* k := index_below k (tl ts) in Some (Decide (fst k), snd k) else
+    if at_word "slips" ts then
+      let* k := index_below k (tl ts) in
+      if N.ltb (dim i) 3 then Some (Slips (fst k) [], snd k)
+      else let* l := directions_of (snd k) in Some (Slips (fst k) (fst l), snd l)
+    else
+    if at_word "arcs" ts then
+      let* k := index_below k (tl ts) in let* l := directions_of (snd k) in Some (Arcs (fst k) (fst l), snd l) else
+    if at_word "empty" ts then let* y := some_numbers forces [] (tl ts) in Some (Empty (fst y), snd y) else
+    let* _k := word "known" ts in
+    let* m := index_below count (snd _k) in
+    let* ys := some_multipliers (bounds_of (tables_of small) s (look (Exact [] None) motions (fst m))) [] (snd m) in
+    Some (Known (fst m) (fst ys), snd ys).
+
+  Fixpoint some_nodes (fuel : list string) (motions : PositiveMap.t listed) (count : N) (patterns : list pattern) (done : list node)
+      (ts : list string) : option (list node * list string) :=
+    match patterns with
+    | [] => Some (rev' done, ts)
+    | s :: rest =>
+        match fuel with
+        | [] => None
+        | _ :: fuel =>
+            let* n := read_node motions count s ts in
+            some_nodes fuel motions count (children (dim i) (fst n) s ++ rest) (fst n :: done) (snd n)
+        end
+    end.
+
+  Definition read_all_solutions : reader body := fun ts =>
+    let* m := counted most ts in
+    let* b := (if frees i =? 0 then Some (None, snd m)
+               else let* b := matrix_after "eliminated" most (frees i) (frees i) (snd m) in Some (Some (fst b), snd b)) in
+    let* l := some_listed ts (fst m) [] (snd b) in
+    let* t := some_nodes ts (tabulate 0 (fst l) (PositiveMap.empty listed)) (fst m) [PositiveMap.empty state] [] (snd l) in
+    Some (AllSolutions (fst b) (fst l) (fst t), snd t).
+
   Definition read_claim : reader body := fun ts =>
     if at_word "eps" ts then read_eps (tl ts) else
     if at_word "enclosure" ts then read_enclosure (tl ts) else
     if at_word "ball" ts then read_ball (tl ts) else
+    if at_word "all-solutions" ts then read_all_solutions (tl ts) else
     if at_word "none-within" ts then let* rho := one_number (tl ts) in Some (NoneWithin (fst rho), snd rho) else
     if at_word "no-solution" ts then let* y := numbers_after "multipliers" n (tl ts) in Some (NoSolution (fst y), snd y) else
     if at_word "unique" ts && at_word "definite" (tl ts)
@@ -165,7 +256,7 @@ End Claims.
 
 (** Claims that this checker does not know. *)
 Definition unknown_claim (ts : list string) : bool :=
-  at_word "every-solution" ts || at_word "all-solutions" ts
+  at_word "every-solution" ts
   || (at_word "unique" ts && existsb (fun w => at_word w (tl ts)) ["bound"; "determinants"]).
 
 Inductive outcome := Unreadable | NotCovered | Claims (l : list body).
@@ -258,7 +349,7 @@ Definition check_body (i : instance) (p : tables) (b : body) : bool :=
   | NoSolution y, _ => check_no_solution p y
   | Dominant d, _ => check_dominant p d
   | Definite l, _ => check_definite p (entries i) l
-  | AllSolutions _ _ _, _ => false
+  | AllSolutions eliminated motions tree, _ => check_all_solutions i eliminated motions tree
   | _, None => false
   end.
 

@@ -1,7 +1,7 @@
 (** What the checker accepts is true. *)
 From Coq Require Import NArith Reals List Bool String Lia Lra FMapPositive.
 From Slipproof.contact Require Import Coulomb Number Fixed Linear Zero Certificate Checker Rows Law Enclose Refute.
-From Slipproof.contact Require Import Unique Definite Ball Parse.
+From Slipproof.contact Require Import Unique Definite Ball AllMotions Parse.
 Import ListNotations.
 
 Lemma check_body_sound i b : is_whole i = true -> is_proper i = true -> check_body i (tables_of i) b = true -> meaning i b.
@@ -27,8 +27,8 @@ Proof.
   - apply (check_dominant_sound i W F) in H. exact H.
   - apply (check_definite_sound i W F) in H. exact H.
   - apply (check_definite_sound i W F) in H. exact H.
-  - discriminate H.
-  - discriminate H.
+  - apply (check_all_solutions_sound i W F) in H. exact H.
+  - apply (check_all_solutions_sound i W F) in H. exact H.
 Qed.
 
 (** The theorem for data instead of a text. *)

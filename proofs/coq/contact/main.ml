@@ -97,6 +97,15 @@ let decimal number =
     Printf.sprintf "%c.%se%d" shown.[0] (String.sub shown 1 (String.length shown - 1)) !exponent
   end
 
+let motions_in_words motions =
+  let has_distances = function Exact (_, Some _) | Boxed (_, _, _, _, _, _, Within _) -> true | _ -> false in
+  match List.length motions with
+  | 0 -> "no motion at all"
+  | count when List.exists has_distances motions ->
+      "at least one motion, and each is one of " ^ string_of_int count ^ " or within its distances"
+  | 1 -> "one motion and no other"
+  | count -> "at least one motion and at most " ^ string_of_int count
+
 let claim_in_words = function
   | Eps (bound, moved, _, _) ->
       "a solution of a problem whose constant differs by at most " ^ decimal bound ^ ", within " ^ decimal moved ^ " of the answer"
@@ -107,6 +116,7 @@ let claim_in_words = function
       ^ match eta with None -> "" | Some eta -> ", its velocities within " ^ decimal eta)
   | Dominant _ -> "one solution, whatever the constant, by a dominant matrix"
   | Definite _ -> "one solution, whatever the constant, by a definite matrix"
+  | AllSolutions (_, motions, _) -> motions_in_words motions
 
 let problem_in_words (i : instance) =
   Printf.sprintf "%d contacts in dimension %s%s" (List.length i.frictions) (Integer.to_string i.dim)
