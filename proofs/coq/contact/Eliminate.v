@@ -66,6 +66,10 @@ Section Instance.
   Let n := size P.
   Let F := free P.
   Let b := by_rows inverse.
+  Let free_rows := range 0 (N.to_nat (frees i)).
+  Let forces := range (frees i) (N.to_nat (size_of_instance i - frees i)).
+  Let solved := tabulate 0 (map (fun j => listed_row forces (solved_row p b j)) free_rows) (PositiveMap.empty linear).
+  Let solved_constants := tabulate 0 (map (solved_constant p b) free_rows) empty.
   Let row_of (j : N) : linear := look [] (t_rows p) j.
 
   Lemma size_small : size Q = (dimension P * contacts P)%nat.
@@ -74,9 +78,9 @@ Section Instance.
   Lemma sizes : n = (F + size Q)%nat.
   Proof. reflexivity. Qed.
 
-  Lemma forces_range : range (frees i) (N.to_nat (size_of_instance i - frees i)) = range (N.of_nat F) (size Q).
+  Lemma forces_range : forces = range (N.of_nat F) (size Q).
   Proof.
-    rewrite size_small. unfold F, P, size_of_instance, problem_of; cbn [free dimension contacts]. rewrite N2Nat.id. f_equal. lia.
+    unfold forces. rewrite size_small. unfold F, P, size_of_instance, problem_of; cbn [free dimension contacts]. rewrite N2Nat.id. f_equal. lia.
   Qed.
 
   (** B y = 0 for y = 0 *)
@@ -89,14 +93,14 @@ Section Instance.
     rewrite Z by (unfold F, P, problem_of; cbn [free]; lia). destruct (N.eq_dec k j); lra.
   Qed.
 
-  Definition solved_list (j : N) : linear := listed_row (range (N.of_nat F) (size Q)) (solved_row i inverse j).
+  Definition solved_list (j : N) : linear := listed_row (range (N.of_nat F) (size Q)) (solved_row p b j).
 
   (** B A x *)
   Lemma solved_sum j x : (N.to_nat j < F)%nat ->
     apply (look [] b j) (fun l => apply (row_of l) (cut i x)) = x (N.to_nat j) + apply (solved_list j) (cut i x).
   Proof.
     intros J.
-    assert (G : sum n (fun k => value (get (solved_row i inverse j) (N.of_nat k)) * x k)
+    assert (G : sum n (fun k => value (get (solved_row p b j) (N.of_nat k)) * x k)
       = apply (look [] b j) (fun l => apply (row_of l) (cut i x))).
     { unfold solved_row. fold b p.
       assert (G : forall l m, sum n (fun k => value (get (List.fold_left
@@ -115,11 +119,11 @@ Section Instance.
     - intros k K. f_equal. assert (H := inverts). unfold is_inverse in H. apply andb_prop in H. destruct H as [_ H].
       rewrite forallb_forall in H. specialize (H j). cbv zeta in H. rewrite forallb_forall in H.
       unfold F, P, problem_of in J, K; cbn [free] in J, K.
-      specialize (H ltac:(apply range_In; lia) (N.of_nat k) ltac:(apply range_In; lia)). apply eq_value in H. rewrite H.
+      specialize (H ltac:(apply range_In; lia) (N.of_nat k) ltac:(apply range_In; lia)). apply eq_value in H. fold p b in H. rewrite H.
       destruct (N.eqb_spec j (N.of_nat k)), (Nat.eq_dec k (N.to_nat j)); try lia; [apply value_one | apply value_zero].
   Qed.
 
-  Lemma solved_constant_value j : value (solved_constant i inverse j) = apply (look [] b j) (fun l => constant P (N.to_nat l)).
+  Lemma solved_constant_value j : value (solved_constant p b j) = apply (look [] b j) (fun l => constant P (N.to_nat l)).
   Proof.
     unfold solved_constant. rewrite sum_of_value. apply apply_ext. intros l. unfold values.
     rewrite <- (row_constant i), N2Nat.id. reflexivity.
@@ -134,7 +138,7 @@ Section Instance.
   (** B (A x + c) *)
   Lemma solved_motion j x : (N.to_nat j < F)%nat ->
     apply (look [] b j) (fun l => motion P x (N.to_nat l))
-    = x (N.to_nat j) + apply (solved_list j) (cut i x) + value (solved_constant i inverse j).
+    = x (N.to_nat j) + apply (solved_list j) (cut i x) + value (solved_constant p b j).
   Proof.
     intros J. rewrite (apply_ext _ _ _ (fun l => row_motion_is l x)), apply_plus, solved_sum by exact J.
     rewrite solved_constant_value. reflexivity.
@@ -142,9 +146,9 @@ Section Instance.
 
   (** A row of a contact, with the free unknowns eliminated *)
   Lemma reduced_sum j x :
-    (forall k, (N.to_nat k < F)%nat -> x (N.to_nat k) + apply (solved_list k) (cut i x) + value (solved_constant i inverse k) = 0) ->
+    (forall k, (N.to_nat k < F)%nat -> x (N.to_nat k) + apply (solved_list k) (cut i x) + value (solved_constant p b k) = 0) ->
     apply (row_of j) (cut i x) + constant P (N.to_nat j)
-    = apply (reduced_row i inverse j) (cut i x) + value (reduced_constant i inverse j).
+    = apply (reduced_row p forces solved j) (cut i x) + value (reduced_constant p solved_constants j).
   Proof.
     intros Z. set (x' := fun k => if Nat.ltb k F then 0 else x k).
     assert (Forces : forall m, apply (listed_row (range (N.of_nat F) (size Q)) m) (cut i x)
@@ -158,11 +162,11 @@ Section Instance.
     assert (Same : forall k, apply (solved_list k) (cut i x') = apply (solved_list k) (cut i x)).
     { intros k. apply apply_ext_in. intros e E. apply listed_row_keys, range_In in E. rewrite Cut.
       destruct (Nat.ltb_spec (N.to_nat (fst e)) F); [lia | reflexivity]. }
-    unfold reduced_row. cbv zeta. rewrite forces_range, Forces.
-    set (solved := tabulate 0 (map _ _) (PositiveMap.empty linear)).
+    unfold reduced_row. rewrite forces_range, Forces.
     assert (Solved : forall k, (N.to_nat k < F)%nat -> look [] solved k = solved_list k).
-    { intros k K. unfold solved. apply (look_range []). exact K. }
-    fold p. change (look [] (t_rows p) j) with (row_of j).
+    { intros k K. unfold solved_list. rewrite <- forces_range.
+      apply (look_range [] (fun j => listed_row forces (solved_row p b j))). exact K. }
+    change (t_frees p) with (frees i). change (look [] (t_rows p) j) with (row_of j).
     assert (G : forall l m, sum n (fun k => value (get (List.fold_left (fun m e =>
           if N.ltb (fst e) (frees i) then accumulate m (opp (snd e)) (look [] solved (fst e)) else accumulate m one [e])
           l m) (N.of_nat k)) * x' k)
@@ -175,12 +179,13 @@ Section Instance.
       - unfold n, P. rewrite accumulated, value_one. cbn [apply]. rewrite Cut.
         destruct (Nat.ltb_spec (N.to_nat k) F) as [K'|_]; [unfold F, P, problem_of in K'; cbn [free] in K'; lia | lra]. }
     rewrite G, sum_zero by (intros; rewrite get_empty, value_zero; ring). rewrite Rplus_0_l.
-    unfold reduced_constant. cbv zeta. set (constants := tabulate 0 (map _ _) empty). fold p. change (look [] (t_rows p) j) with (row_of j).
-    assert (Constants : forall k, (N.to_nat k < F)%nat -> get constants k = solved_constant i inverse k).
-    { intros k K. unfold constants. apply (look_range zero). exact K. }
+    unfold reduced_constant. change (t_frees p) with (frees i).
+    change (look [] (t_rows p) j) with (row_of j).
+    assert (Constants : forall k, (N.to_nat k < F)%nat -> get solved_constants k = solved_constant p b k).
+    { intros k K. unfold solved_constants, free_rows. apply (look_range zero). exact K. }
     assert (C : forall l s, value (List.fold_left (fun s e =>
-          if N.ltb (fst e) (frees i) then sub s (mul (snd e) (get constants (fst e))) else s) l s)
-      = value s - apply l (fun k => if N.ltb k (frees i) then value (solved_constant i inverse k) else 0)).
+          if N.ltb (fst e) (frees i) then sub s (mul (snd e) (get solved_constants (fst e))) else s) l s)
+      = value s - apply l (fun k => if N.ltb k (frees i) then value (solved_constant p b k) else 0)).
     { induction l as [|[k a] l IH]; intros s; cbn [List.fold_left apply fst snd]; [lra|]. rewrite IH.
       destruct (N.ltb_spec k (frees i)) as [K|K]; [|lra].
       rewrite value_sub, value_mul, Constants by (unfold F, P, problem_of; cbn [free]; lia). lra. }
@@ -188,7 +193,7 @@ Section Instance.
       by (rewrite <- (row_constant i), N2Nat.id; reflexivity).
     enough (E : apply (row_of j) (cut i x)
       = apply (row_of j) (fun k => (if N.ltb k (frees i) then - apply (solved_list k) (cut i x) else cut i x k)
-          + -1 * (if N.ltb k (frees i) then value (solved_constant i inverse k) else 0))).
+          + -1 * (if N.ltb k (frees i) then value (solved_constant p b k) else 0))).
     { rewrite E, apply_plus, apply_scale. lra. }
     apply apply_ext. intros k. destruct (N.ltb_spec k (frees i)) as [K|K]; [|lra].
     assert (K' : (N.to_nat k < F)%nat) by (unfold F, P, problem_of; cbn [free]; lia). specialize (Z k K').
@@ -199,16 +204,17 @@ Section Instance.
   Qed.
 
   Lemma reduced_motion r k : (k < size Q)%nat -> motion Q r k
-    = apply (reduced_row i inverse (N.of_nat (F + k))) (fun e => r (N.to_nat e - F)%nat)
-      + value (reduced_constant i inverse (N.of_nat (F + k))).
+    = apply (reduced_row p forces solved (N.of_nat (F + k))) (fun e => r (N.to_nat e - F)%nat)
+      + value (reduced_constant p solved_constants (N.of_nat (F + k))).
   Proof.
     intros K. unfold motion. f_equal.
     - transitivity (apply (look [] (t_rows (tables_of small)) (N.of_nat k)) (fun e => r (N.to_nat e))).
       { rewrite (row_linear small whole_small). apply sum_ext. intros j _. rewrite Nat2N.id. reflexivity. }
       unfold tables_of; cbn [t_rows]. rewrite by_rows_value.
-      unfold small, reduced; cbv zeta; cbn [entries]. rewrite forces_range. set (rows := reduced_row i inverse).
+      change (entries small) with (flat_map (fun j => map (fun e => ((j - frees i)%N, (fst e - frees i)%N, snd e))
+        (reduced_row p forces solved j)) forces). set (rows := reduced_row p forces solved). rewrite forces_range.
       assert (Keys : forall j e, In e (rows j) -> (F <= N.to_nat (fst e))%nat).
-      { intros j e E. unfold rows, reduced_row in E. cbv zeta in E. rewrite forces_range in E. apply listed_row_keys, range_In in E. lia. }
+      { intros j e E. unfold rows, reduced_row in E. rewrite forces_range in E. apply listed_row_keys, range_In in E. lia. }
       assert (One : forall j l, (forall e, In e l -> (F <= N.to_nat (fst e))%nat) ->
         row_sum (map (fun e => ((j - frees i)%N, (fst e - frees i)%N, snd e)) l) (N.of_nat k) (fun e => r (N.to_nat e))
         = if N.eq_dec (j - frees i) (N.of_nat k) then apply l (fun e => r (N.to_nat e - F)%nat) else 0).
@@ -235,18 +241,18 @@ Section Instance.
               cbn [andb]; try (exfalso; lia); lra. }
       rewrite G by lia. rewrite Nat2N.id.
       destruct (Nat.leb_spec F (F + k)), (Nat.ltb_spec (F + k) (F + size Q)); cbn [andb]; reflexivity || (exfalso; lia).
-    - unfold Q, small, reduced, problem_of; cbv zeta; cbn [constant constants]. unfold numbers. rewrite forces_range.
-      rewrite (nth_indep _ zero (reduced_constant i inverse 0%N)).
+    - change (constant Q k) with (numbers (map (reduced_constant p solved_constants) forces) k). unfold numbers. rewrite forces_range.
+      rewrite (nth_indep _ zero (reduced_constant p solved_constants 0%N)).
       + rewrite map_nth, nth_range by exact K. do 2 f_equal. lia.
       + rewrite map_length, range_length. exact K.
   Qed.
 
   Lemma reduced_agrees x k : (k < size Q)%nat ->
-    (forall l, (N.to_nat l < F)%nat -> x (N.to_nat l) + apply (solved_list l) (cut i x) + value (solved_constant i inverse l) = 0) ->
+    (forall l, (N.to_nat l < F)%nat -> x (N.to_nat l) + apply (solved_list l) (cut i x) + value (solved_constant p b l) = 0) ->
     motion P x (F + k)%nat = motion Q (fun j => x (F + j)%nat) k.
   Proof.
     intros K Z. rewrite (reduced_motion _ k K), <- (Nat2N.id (F + k)), row_motion_is, (reduced_sum _ x Z), Nat2N.id. f_equal.
-    apply apply_ext_in. intros e E. unfold reduced_row in E. cbv zeta in E. rewrite forces_range in E. apply listed_row_keys, range_In in E.
+    apply apply_ext_in. intros e E. unfold reduced_row in E. rewrite forces_range in E. apply listed_row_keys, range_In in E.
     unfold cut. fold P n. destruct (Nat.ltb_spec (N.to_nat (fst e)) n) as [_|L]; [|rewrite sizes in L; lia].
     f_equal. lia.
   Qed.
@@ -264,9 +270,9 @@ Section Instance.
   Proof.
     set (only := fun k => if Nat.ltb k F then 0 else r (k - F)%nat).
     set (x := fun k => if Nat.ltb k F
-      then - apply (solved_list (N.of_nat k)) (cut i only) - value (solved_constant i inverse (N.of_nat k)) else r (k - F)%nat).
+      then - apply (solved_list (N.of_nat k)) (cut i only) - value (solved_constant p b (N.of_nat k)) else r (k - F)%nat).
     assert (Z : forall l, (N.to_nat l < F)%nat ->
-      x (N.to_nat l) + apply (solved_list l) (cut i x) + value (solved_constant i inverse l) = 0).
+      x (N.to_nat l) + apply (solved_list l) (cut i x) + value (solved_constant p b l) = 0).
     { intros l L. unfold x at 1. destruct (Nat.ltb_spec (N.to_nat l) F); [|lia]. rewrite N2Nat.id.
       assert (E : apply (solved_list l) (cut i x) = apply (solved_list l) (cut i only)); [|lra].
       apply apply_ext_in. intros e E. apply listed_row_keys, range_In in E. unfold cut, x, only.

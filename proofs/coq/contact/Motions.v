@@ -6,13 +6,9 @@ Local Open Scope N_scope.
 
 (** u = W r + q, by the inverse of the rows and columns of the free unknowns. *)
 Section Eliminate.
-  Variables (i : instance) (inverse : list (N * N * number)).
-  Let p := tables_of i.
-  Let n := size_of_instance i - frees i.
-  Let b := by_rows inverse.
-  Let free_rows := range 0 (N.to_nat (frees i)).
-  Let forces := range (frees i) (N.to_nat n).
+  Variables (p : tables) (b : PositiveMap.t linear).
 
+  (** Rows of B A and B c *)
   Definition solved_row (j : N) : table :=
     List.fold_left (fun m e => accumulate m (snd e) (look [] (t_rows p) (fst e))) (look [] b j) empty.
   Definition solved_constant (j : N) : number := sum_of (look [] b j) (t_constants p).
@@ -20,29 +16,34 @@ Section Eliminate.
   Definition listed_row (columns : list N) (m : table) : linear :=
     filter (fun e => negb (is_zero (snd e))) (map (fun j => (j, get m j)) columns).
 
-  Let solved := tabulate 0 (map (fun j => listed_row forces (solved_row j)) free_rows) (PositiveMap.empty linear).
-  Let solved_constants := tabulate 0 (map solved_constant free_rows) empty.
+  Variables (forces : list N) (solved : PositiveMap.t linear) (solved_constants : table).
 
   Definition reduced_row (j : N) : linear :=
     listed_row forces (List.fold_left
-      (fun m e => if N.ltb (fst e) (frees i) then accumulate m (opp (snd e)) (look [] solved (fst e)) else accumulate m one [e])
+      (fun m e => if N.ltb (fst e) (t_frees p) then accumulate m (opp (snd e)) (look [] solved (fst e)) else accumulate m one [e])
       (look [] (t_rows p) j) empty).
   Definition reduced_constant (j : N) : number :=
     List.fold_left
-      (fun s e => if N.ltb (fst e) (frees i) then sub s (mul (snd e) (get solved_constants (fst e))) else s)
+      (fun s e => if N.ltb (fst e) (t_frees p) then sub s (mul (snd e) (get solved_constants (fst e))) else s)
       (look [] (t_rows p) j) (get (t_constants p) j).
-
-  Definition reduced : instance :=
-    Instance (dim i) 0 (frictions i)
-      (flat_map (fun j => map (fun e => (j - frees i, fst e - frees i, snd e)) (reduced_row j)) forces)
-      (map reduced_constant forces) None.
-
-  (** B A is the identity in the free columns. *)
-  Definition is_inverse : bool :=
-    forallb (fun e => match e with (_, k, _) => N.ltb k (frees i) end) inverse
-    && forallb (fun j => let m := solved_row j in
-         forallb (fun k => eq (get m k) (if N.eqb j k then one else zero)) free_rows) free_rows.
 End Eliminate.
+
+Definition reduced (i : instance) (inverse : list (N * N * number)) : instance :=
+  let p := tables_of i in let b := by_rows inverse in
+  let free_rows := range 0 (N.to_nat (frees i)) in
+  let forces := range (frees i) (N.to_nat (size_of_instance i - frees i)) in
+  let solved := tabulate 0 (map (fun j => listed_row forces (solved_row p b j)) free_rows) (PositiveMap.empty linear) in
+  let solved_constants := tabulate 0 (map (solved_constant p b) free_rows) empty in
+  Instance (dim i) 0 (frictions i)
+    (flat_map (fun j => map (fun e => (j - frees i, fst e - frees i, snd e)) (reduced_row p forces solved j)) forces)
+    (map (reduced_constant p solved_constants) forces) None.
+
+(** B A is the identity in the free columns. *)
+Definition is_inverse (i : instance) (inverse : list (N * N * number)) : bool :=
+  let p := tables_of i in let b := by_rows inverse in let free_rows := range 0 (N.to_nat (frees i)) in
+  forallb (fun e => match e with (_, k, _) => N.ltb k (frees i) end) inverse
+  && forallb (fun j => let m := solved_row p b j in
+       forallb (fun k => eq (get m k) (if N.eqb j k then one else zero)) free_rows) free_rows.
 
 (** States *)
 

@@ -102,7 +102,7 @@ let motions_in_words motions =
   match List.length motions with
   | 0 -> "no motion at all"
   | count when List.exists has_distances motions ->
-      "at least one motion, and each is one of " ^ string_of_int count ^ " or within its distances"
+      "at least one motion, and each is near one of " ^ string_of_int count
   | 1 -> "one motion and no other"
   | count -> "at least one motion and at most " ^ string_of_int count
 
