@@ -74,13 +74,6 @@ Section Small.
     - exists y. split; [|exact E]. apply (in_the_box m b y S). intros; apply Y.
   Qed.
 
-  Lemma middle_motion l j : value (middle (Box (table_of l) empty) (row p (N.of_nat j))) = motion P (numbers l) j.
-  Proof.
-    unfold middle, motion. rewrite value_add, sum_of_value. cbn [constant_part linear_part row center_of].
-    unfold p, P. rewrite (row_linear i whole), (row_constant i). rewrite Rplus_comm. f_equal.
-    apply sum_ext. intros t _. unfold values. rewrite table_of_value. reflexivity.
-  Qed.
-
   Lemma exact_solution l :
     forallb (fun c => obeys (t_dim p) (mu c) (fun t => get (table_of l) (first c + t))
       (fun t => middle (Box (table_of l) empty) (row p (first c + t)))) (all_contacts p) = true -> solution P (numbers l).
@@ -92,10 +85,10 @@ Section Small.
     apply obeys_law in H; [|exact (dimension_is i fine_numbers) | exact A].
     change (dimension P) with (N.to_nat (t_dim p)). change (friction P k) with (value (mu (contact_at i modes k))).
     assert (E : forall t, value (get (table_of l) (first (contact_at i modes k) + N.of_nat t)) = of_contact P k (numbers l) t).
-    { intros t. rewrite (at_first i no_free), table_of_value. symmetry. apply (component i no_free). }
+    { intros t. rewrite (first_at i no_free), table_of_value. symmetry. apply (component i no_free). }
     assert (U : forall t, value (middle (Box (table_of l) empty) (row p (first (contact_at i modes k) + N.of_nat t)))
       = of_contact P k (motion P (numbers l)) t).
-    { intros t. rewrite (at_first i no_free), middle_motion. symmetry. apply (component i no_free). }
+    { intros t. rewrite (first_at i no_free), (middle_motion i whole). symmetry. apply (component i no_free). }
     rewrite (functional_extensionality _ _ E), (functional_extensionality _ _ U) in H. exact H.
   Qed.
 
@@ -106,7 +99,7 @@ Section Small.
     unfold check_known, bounds_of in H. cbn [vicinity_of box_of_motion] in H. apply andb_prop in H. destruct H as [A Z].
     assert (K := known_range i whole fine_numbers no_free s r SR IP _ _ ys A Z j J).
     rewrite table_of_value in K. unfold least, greatest in K. rewrite value_sub, value_add in K.
-    fold p in K. rewrite middle_motion in K. unfold spread in K. rewrite size_of_value in K. cbn [radius_of] in K.
+    rewrite (middle_motion i whole) in K. unfold spread in K. rewrite size_of_value in K. cbn [radius_of] in K.
     assert (S : forall e, apply_abs e (absolute empty) = 0).
     { induction e as [|[k a] e IH]; cbn; [reflexivity|]. rewrite IH. unfold absolute. rewrite get_empty, value_zero, Rabs_R0. ring. }
     rewrite S in K. assert (E : numbers [] j = 0) by (unfold numbers; destruct j; apply value_zero). rewrite E in K.
@@ -189,7 +182,8 @@ Section Small.
         unfold are_distances in H0. apply andb_prop in H0. destruct H0 as [_ N].
         apply (up_to_near _ _ e ys s r _ SB eq_refl N SR IP A Z).
     - cbv zeta in H. apply andb_prop in H. destruct H as [H More]. apply andb_prop in H. destruct H as [H Same].
-      set (b := box_of p modes center radius pinned) in *. change (box_of_motion p (Boxed modes center radius pinned dropped inverse near)) with b in *.
+      set (b := box_of p modes center radius pinned) in *.
+      change (box_of_motion p (Boxed modes center radius pinned dropped inverse near)) with b in *.
       set (m := Boxed modes center radius pinned dropped inverse near) in *.
       assert (SB : same_box (listed_of i m) b).
       { intros j J. rewrite forallb_forall in Same.

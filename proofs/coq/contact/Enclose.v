@@ -300,6 +300,13 @@ Section Instance.
     unfold contact_at; cbn [first]. do 2 f_equal. unfold P, problem_of; cbn [free dimension]. lia.
   Qed.
 
+  Lemma middle_motion l j : value (middle (Box (table_of l) empty) (row p (N.of_nat j))) = motion P (numbers l) j.
+  Proof.
+    unfold middle, motion. rewrite value_add, sum_of_value. cbn [constant_part linear_part row center_of].
+    unfold p, P. rewrite (row_linear i whole), (row_constant i). rewrite Rplus_comm. f_equal.
+    apply sum_ext. intros t _. unfold values. rewrite table_of_value. reflexivity.
+  Qed.
+
   Definition zero_of (b : box) (d : vector) : vector := fun k => values (center_of b) k + d k.
 
   Lemma check_box_sound modes center radius pinned dropped zero_near :
@@ -386,11 +393,7 @@ Section Instance.
       eapply Rle_trans; [|exact H0].
       assert (L := linear_middle b (row p (N.of_nat j)) d eq_refl W). fold (zero_of b d) in L. fold v in L.
       rewrite <- (row_motion i whole). fold p.
-      assert (N : value (middle (Box (table_of x) empty) (row p (N.of_nat j))) = motion P (numbers x) j).
-      { unfold middle, motion. rewrite value_add, sum_of_value. cbn [constant_part linear_part row center_of].
-        unfold p, P. rewrite (row_linear i whole), (row_constant i). rewrite Rplus_comm. f_equal.
-        apply sum_ext. intros t _. unfold values. rewrite table_of_value. reflexivity. }
-      rewrite N. set (e := eval _ v) in *.
+      rewrite middle_motion. set (e := eval _ v) in *.
       replace (e - motion P (numbers x) j)
         with ((value (middle b (row p (N.of_nat j))) - motion P (numbers x) j) + (e - value (middle b (row p (N.of_nat j))))) by ring.
       eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat_l. exact L.
@@ -413,10 +416,7 @@ Section Instance.
     intros H. unfold check_eps in H. split_and H.
     set (X := numbers point). set (w := numbers motions).
     set (c := fun j => w j - sum (size P) (fun k => matrix P j k * X k)).
-    assert (Mid : forall j, value (middle (Box (table_of point) empty) (row p (N.of_nat j))) = motion P X j).
-    { intros j. unfold middle, motion. rewrite value_add, sum_of_value. cbn [constant_part linear_part row center_of].
-      unfold p, P. rewrite (row_linear i whole), (row_constant i). rewrite Rplus_comm. f_equal.
-      apply sum_ext. intros t _. unfold values. rewrite table_of_value. reflexivity. }
+    assert (Mid := middle_motion point). fold X in Mid.
     assert (M : forall j, motion (with_constant P c) X j = w j) by (intros j; unfold motion, with_constant, c, size; cbn; lra).
     rewrite forallb_forall in H0.
     assert (Near : forall j, (j < size P)%nat -> In (N.of_nat j) (range 0 (N.to_nat (t_size p)))).

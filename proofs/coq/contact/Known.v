@@ -77,7 +77,8 @@ Section Instance.
     exists (fun j => values (center_of b) (N.of_nat j) + x * (sign j * absolute (radius_of b) (N.of_nat j))). split.
     - intros j. replace (values (center_of b) (N.of_nat j) + x * (sign j * absolute (radius_of b) (N.of_nat j))
         - values (center_of b) (N.of_nat j)) with (x * (sign j * absolute (radius_of b) (N.of_nat j))) by ring.
-      rewrite !Rabs_mult, (proj1 (Sign j)). unfold absolute. rewrite Rabs_Rabsolu. assert (Q := Rabs_pos (value (get (radius_of b) (N.of_nat j)))).
+      rewrite !Rabs_mult, (proj1 (Sign j)). unfold absolute. rewrite Rabs_Rabsolu.
+      assert (Q := Rabs_pos (value (get (radius_of b) (N.of_nat j)))).
       nra.
     - assert (M : motion P (fun j => values (center_of b) (N.of_nat j) + x * (sign j * absolute (radius_of b) (N.of_nat j))) k = w).
       { unfold motion. fold n.
@@ -90,12 +91,6 @@ Section Instance.
   Qed.
 
   Hypothesis no_free : frees i = 0%N.
-
-  Lemma at_first modes k t : (first (contact_at i modes k) + N.of_nat t)%N = N.of_nat (d * k + t).
-  Proof. unfold contact_at; cbn [first]. rewrite no_free. unfold d, P, problem_of; cbn [dimension]. lia. Qed.
-
-  Lemma state_at modes s k : of_contact_state p s (contact_at i modes k) = state_of s (N.of_nat k).
-  Proof. unfold of_contact_state, contact_at; cbn [slip]. fold p. f_equal. lia. Qed.
 
   Lemma free_none : free P = 0%nat.
   Proof. exact (no_free_here i no_free). Qed.
@@ -149,19 +144,20 @@ Section Instance.
       { unfold n, size in J. rewrite free_none in J. fold d in J. apply Nat.div_lt_upper_bound; lia. }
       set (modes := map (fun _ => Open) (frictions i)).
       assert (I : In (contact_at i modes k) (all_contacts p)) by (apply contact_at_In; [apply map_length | exact K]).
-      assert (TI : In (N.of_nat t) (range 0 (N.to_nat (t_dim p)))) by (apply range_In; change (t_dim p) with (dim i); unfold d, P, problem_of in T; cbn [dimension] in T; lia).
-      assert (F := at_first modes k t). rewrite <- JK in F.
+      assert (TI : In (N.of_nat t) (range 0 (N.to_nat (t_dim p)))).
+      { apply range_In. change (t_dim p) with (dim i). unfold d, P, problem_of in T; cbn [dimension] in T. lia. }
+      assert (F := first_at i no_free modes k t). fold P d in F. rewrite <- JK in F.
       destruct (rests (state_of s (N.of_nat k)) (N.of_nat t)) eqn:RS.
       - assert (U : u j = 0) by (rewrite JK, <- component; apply rests_zero; assumption).
         rewrite forallb_forall in Z. specialize (Z _ I). unfold zero_in_range in Z. rewrite forallb_forall in Z. specialize (Z _ TI).
-        cbv zeta in Z. fold p in Z. rewrite state_at, RS, F in Z. cbn [negb orb] in Z. apply andb_prop in Z. destruct Z as [Z1 Z2].
+        cbv zeta in Z. fold p in Z. rewrite (state_at i no_free), RS, F in Z. cbn [negb orb] in Z. apply andb_prop in Z. destruct Z as [Z1 Z2].
         apply sign_nonnegative in Z1. apply sign_nonnegative in Z2. rewrite value_opp, value_sub in Z1. rewrite value_add in Z2. lra.
       - assert (Q := all_proved_each _ _ A).
         assert (In_ : forall c, In c [Bound [(N.of_nat j, one)] [] (sub (least b (row p (N.of_nat j))) (get e (N.of_nat j)));
             Bound [(N.of_nat j, opp one)] [] (opp (add (greatest b (row p (N.of_nat j))) (get e (N.of_nat j))))] ->
             In c (flat_map (velocity_bounds p s b e) (all_contacts p))).
         { intros c C. apply in_flat_map. exists (contact_at i modes k). split; [exact I|]. unfold velocity_bounds.
-          apply in_flat_map. exists (N.of_nat t). split; [exact TI|]. cbv zeta. rewrite state_at, RS, F. exact C. }
+          apply in_flat_map. exists (N.of_nat t). split; [exact TI|]. cbv zeta. rewrite (state_at i no_free), RS, F. exact C. }
         assert (Q1 := Q _ (In_ _ (or_introl eq_refl))). assert (Q2 := Q _ (In_ _ (or_intror (or_introl eq_refl)))).
         cbn [at_least of_velocities of_forces apply] in Q1, Q2. rewrite (cut_at i u j J) in Q1, Q2.
         rewrite value_sub, value_one in Q1. rewrite !value_opp, value_add, value_one in Q2. lra.

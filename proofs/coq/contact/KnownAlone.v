@@ -53,7 +53,7 @@ Section Instance.
 
   Lemma force_at k t : (k < contacts P)%nat -> (t < d)%nat -> unknowns_at (first (c k) + N.of_nat t)%N = rr k t.
   Proof.
-    intros K T. unfold c. rewrite (at_first i no_free). unfold unknowns_at. rewrite Nat2N.id.
+    intros K T. unfold c. rewrite (first_at i no_free). unfold unknowns_at. rewrite Nat2N.id.
     assert (L := component_below i no_free k t K T). fold n in L. fold P d in L |- *.
     destruct (Nat.ltb_spec (d * k + t) n); [|lia]. symmetry. apply (component i no_free).
   Qed.
@@ -72,7 +72,7 @@ Section Instance.
 
   Lemma velocity_at k t : (k < contacts P)%nat -> (t < d)%nat -> eval (row p (first (c k) + N.of_nat t)) unknowns_at = uu k t.
   Proof.
-    intros K T. unfold c. rewrite (at_first i no_free). unfold p. rewrite (row_motion i whole).
+    intros K T. unfold c. rewrite (first_at i no_free). unfold p. rewrite (row_motion i whole).
     unfold uu. rewrite (component i no_free). unfold motion. f_equal. apply sum_ext. intros j J. f_equal.
     unfold unknowns_at. rewrite Nat2N.id. fold P n in J. destruct (Nat.ltb_spec j n); [reflexivity | lia].
   Qed.
@@ -129,7 +129,7 @@ Section Instance.
   Qed.
 
   Lemma state_here k : of_contact_state p s (c k) = state_of s (N.of_nat k).
-  Proof. apply state_at; assumption. Qed.
+  Proof. apply (state_at i no_free). Qed.
 
   Lemma slipping_in_plane k a e x : (k < contacts P)%nat -> has_friction (t_dim p) (c k) = true -> d = 2%nat ->
     state_of s (N.of_nat k) = SlipState a e -> same_direction a x = true -> same_direction e x = true ->
@@ -170,7 +170,8 @@ Section Instance.
       + apply (Slide_ 2%nat); [lia|]. rewrite U2, R2. ring.
       + assert (F1 := force_at k 1 K ltac:(lia)). assert (F2 := force_at k 2 K ltac:(lia)). assert (F0 := normal_at k K).
         cbn [N.of_nat Pos.of_succ_nat Pos.succ] in F1, F2. unfold cone, eval.
-        cbn [constant_part linear_part quadratic_part products apply]. unfold Checker.square. rewrite F1, F2, F0, value_one, value_zero, value_opp, value_mul.
+        cbn [constant_part linear_part quadratic_part products apply]. unfold Checker.square.
+        rewrite F1, F2, F0, value_one, value_zero, value_opp, value_mul.
         change (value (mu (c k))) with (friction_of k). rewrite R1, R2. destruct Y as [_ [Y _]]. unfold inner in Y.
         replace (0 + 0 + (1 * (- (friction_of k * rr k 0) * fst y * (- (friction_of k * rr k 0) * fst y))
           + (1 * (- (friction_of k * rr k 0) * snd y * (- (friction_of k * rr k 0) * snd y))
@@ -209,7 +210,7 @@ Section Instance.
         apply Nat.div_lt_upper_bound; lia. }
       rewrite JK, <- (component i no_free). fold P (rr k).
       assert (JF : j = (first (c k) + N.of_nat t)%N).
-      { unfold c. rewrite (at_first i no_free). fold P d. lia. }
+      { unfold c. rewrite (first_at i no_free). fold P d. lia. }
       assert (U : ~ In j (unknowns_of (t_dim p) (c k))) by (intros Q; apply O, (unknown_of k j K Q)).
       assert (F := fits_at k K). unfold fits in F. rewrite state_here in F. unfold unknowns_of in U.
       assert (A := inside k K). fold P d (friction_of k) in A.
@@ -258,7 +259,7 @@ Section Instance.
       { unfold cut, unknowns_at. fold P n. destruct (Nat.ltb_spec (N.to_nat j) n); [reflexivity | lia]. }
       rewrite X in B1, B2. unfold values, absolute. apply Rabs_le. lra.
     - assert (M : its_mode (c k) = Slide /\ j = slip (c k)).
-      { unfold unknowns_of in I. assert (F0 := at_first i no_free modes k 0). fold P d (c k) in F0. cbn [N.of_nat] in F0.
+      { unfold unknowns_of in I. assert (F0 := first_at i no_free modes k 0). fold P d (c k) in F0. cbn [N.of_nat] in F0.
         assert (L := component_below i no_free k (d - 1) K). fold P n d in L. specialize (L ltac:(lia)).
         assert (One : In j [first (c k)] -> False) by (intros [Q|[]]; lia).
         assert (Range : In j (range (first (c k)) (N.to_nat (t_dim p))) -> False).
@@ -275,7 +276,7 @@ Section Instance.
       assert (B1 := B _ (or_introl eq_refl)). assert (B2 := B _ (or_intror (or_introl eq_refl))).
       cbn [at_least of_velocities of_forces apply] in B1, B2.
       assert (Cut : forall y t, (t < d)%nat -> cut i y (first (c k) + N.of_nat t)%N = of_contact P k y t).
-      { intros y t T. unfold c. rewrite (at_first i no_free). rewrite cut_at by apply (component_below i no_free k t K T).
+      { intros y t T. unfold c. rewrite (first_at i no_free). rewrite cut_at by apply (component_below i no_free k t K T).
         symmetry. apply (component i no_free). }
       assert (V1 := Cut (motion P r) 1%nat ltac:(lia)). assert (V2 := Cut (motion P r) 2%nat ltac:(lia)).
       assert (R0 := Cut r 0%nat ltac:(lia)). cbn [N.of_nat Pos.of_succ_nat Pos.succ] in V1, V2, R0. rewrite N.add_0_r in R0.

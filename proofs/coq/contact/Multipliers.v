@@ -111,17 +111,17 @@ Section Instance.
     rewrite N.add_0_l, value_mul, table_of_value. unfold p. rewrite (row_constant i). reflexivity.
   Qed.
 
-  Lemma first_at k t : (first (contact_at i modes k) + N.of_nat t)%N = N.of_nat (d * k + t).
+  Lemma first_at ms k t : (first (contact_at i ms k) + N.of_nat t)%N = N.of_nat (d * k + t).
   Proof. unfold contact_at; cbn [first]. rewrite no_free. unfold d, P, problem_of; cbn [dimension]. lia. Qed.
 
-  Lemma state_at_contact s k : of_contact_state p s (contact_at i modes k) = state_of s (N.of_nat k).
+  Lemma state_at ms s k : of_contact_state p s (contact_at i ms k) = state_of s (N.of_nat k).
   Proof. unfold of_contact_state, contact_at; cbn [slip]. fold p. f_equal. lia. Qed.
 
   Lemma tangent_plane m k :
     arrow_of (tangent p m (contact_at i modes k)) = plane d (fun t => value (get m (N.of_nat (d * k + t)))).
   Proof.
-    assert (F1 := first_at k 1). assert (F2 := first_at k 2). cbn [N.of_nat Pos.of_succ_nat Pos.succ] in F1, F2.
-    unfold arrow_of, tangent, plane. rewrite <- first_at, <- (first_at k 2). cbn [fst snd N.of_nat Pos.of_succ_nat Pos.succ].
+    assert (F1 := first_at modes k 1). assert (F2 := first_at modes k 2). cbn [N.of_nat Pos.of_succ_nat Pos.succ] in F1, F2.
+    unfold arrow_of, tangent, plane. rewrite <- (first_at modes), <- (first_at modes k 2). cbn [fst snd N.of_nat Pos.of_succ_nat Pos.succ].
     assert (D := d_size). unfold d, P, problem_of in *; cbn [dimension] in *. change (t_dim p) with (dim i) in *.
     destruct (N.ltb_spec 1 (dim i)), (Nat.ltb_spec 1 (N.to_nat (dim i))), (N.ltb_spec 2 (dim i)), (Nat.ltb_spec 2 (N.to_nat (dim i)));
       try lia; cbn [fst snd]; rewrite ?value_zero; reflexivity.
@@ -138,12 +138,12 @@ Section Instance.
         + sum d (fun t => value (get g (N.of_nat (d * k + t))) * r (d * k + t)%nat) in
       0 <= terms /\ (more p s v g (contact_at i modes k) = true -> 0 < terms).
     Proof.
-      intros K H. unfold fine, more in *. rewrite state_at_contact in *. apply andb_prop in H. destruct H as [V G].
+      intros K H. unfold fine, more in *. rewrite state_at in *. apply andb_prop in H. destruct H as [V G].
       assert (Law := proj2 solves k K). assert (A := inside k K).
       assert (M : value (mu (contact_at i modes k)) = friction P k) by reflexivity.
       assert (M0 : 0 <= friction P k) by (apply (friction_is i fine_numbers), K).
       assert (E : forall m, value (get m (first (contact_at i modes k))) = value (get m (N.of_nat (d * k + 0)))).
-      { intros m. rewrite <- first_at. cbn [N.of_nat]. rewrite N.add_0_r. reflexivity. }
+      { intros m. rewrite <- (first_at modes). cbn [N.of_nat]. rewrite N.add_0_r. reflexivity. }
       assert (OC : forall (x : nat -> R) t, x (d * k + t)%nat = of_contact P k x t).
       { intros x t. unfold of_contact. rewrite no_free_here. reflexivity. }
       destruct (velocities_sound d (mu (contact_at i modes k)) _ _ _ d_size Law A _ _ V) as [V0 V1].

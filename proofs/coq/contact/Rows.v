@@ -116,7 +116,8 @@ Lemma row_sizes i k v : is_whole i = true -> apply_abs (look [] (t_rows (tables_
   = sum (size (problem_of i)) (fun j => Rabs (matrix (problem_of i) k j) * v (N.of_nat j)).
 Proof.
   intros W. destruct (whole_complete i W) as [_ [_ [C ND]]]. set (n := size (problem_of i)) in *.
-  change (matrix (problem_of i)) with (entry (entries i)). unfold tables_of; cbn [t_rows]. rewrite apply_abs_by_rows. revert C ND. generalize (entries i) as l.
+  change (matrix (problem_of i)) with (entry (entries i)). unfold tables_of; cbn [t_rows].
+  rewrite apply_abs_by_rows. revert C ND. generalize (entries i) as l.
   induction l as [|[[r m] a] l IH]; intros C ND.
   - cbn. rewrite sum_zero; [reflexivity|]. intros j _. rewrite Rabs_R0. ring.
   - cbn [map fst] in ND. inversion ND as [|? ? A ND']; subst. cbn [fold_right].

@@ -1,7 +1,7 @@
 (** What the checker accepts is true. *)
 From Coq Require Import NArith Reals List Bool String Lia Lra FMapPositive.
 From Slipproof.contact Require Import Coulomb Number Fixed Linear Zero Certificate Checker Rows Law Enclose Refute.
-From Slipproof.contact Require Import Unique Definite Ball AllMotions Parse.
+From Slipproof.contact Require Import Unique Definite Ball AllMotions Read Parse.
 Import ListNotations.
 
 Lemma check_body_sound i b : is_whole i = true -> is_proper i = true -> check_body i (tables_of i) b = true -> meaning i b.

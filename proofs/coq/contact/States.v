@@ -79,7 +79,8 @@ Proof.
   intros D C P. destruct (coulomb_plane _ _ _ _ D C) as [_ [v [V [VV O]]]]. destruct C as [_ _ Z _ _].
   destruct V as [V|V].
   - right. exists (stretch (/ v) (plane d u)), v. rewrite stretch_inner, inner_stretch, <- VV.
-    split; [field; lra|]. split; [exact V|]. assert (O1 := f_equal fst O). assert (O2 := f_equal snd O). unfold stretch in *; cbn [fst snd] in *. split.
+    split; [field; lra|]. split; [exact V|].
+    assert (O1 := f_equal fst O). assert (O2 := f_equal snd O). unfold stretch in *; cbn [fst snd] in *. split.
     + rewrite (surjective_pairing (plane d u)) at 1. f_equal; field; lra.
     + rewrite (surjective_pairing (plane d r)) at 1. f_equal; apply Rmult_eq_reg_l with v; try lra;
         [rewrite O1 | rewrite O2]; field; lra.
