@@ -60,18 +60,18 @@ Section Small.
     destruct (S j J) as [<- <-]. apply Y, J.
   Qed.
 
-  Lemma up_to_near m b e ys s r found : same_box m b -> distance m = Some (numbers e) -> forallb nonnegative e = true ->
+  Lemma up_to_near m b e f ys s r found : same_box m b -> distance m = Some f -> (forall j, f j = numbers e j) -> forallb nonnegative e = true ->
     solution P r -> in_pattern i s r ->
     all_proved p s (flat_map (velocity_bounds p s b (table_of e)) (all_contacts p)) ys = true ->
     forallb (zero_in_range p s b (table_of e)) (all_contacts p) = true -> is_near P m found r.
   Proof.
-    intros S D N SR IP A Z j J. rewrite D. rewrite size_n in J. rewrite free_is_none. cbn [Nat.add].
+    intros S D E N SR IP A Z j J. rewrite D, E. rewrite size_n in J. rewrite free_is_none. cbn [Nat.add].
     assert (K := known_range i whole fine_numbers no_free s r SR IP b (table_of e) ys A Z j J). rewrite table_of_value in K.
-    destruct (range_attained i whole b j (motion P r j) (numbers e j)) as [y [Y E]]; [|exact K|].
+    destruct (range_attained i whole b j (motion P r j) (numbers e j)) as [y [Y UY]]; [|exact K|].
     - unfold numbers. destruct (nth_in_or_default j e zero) as [I|Q].
       + rewrite forallb_forall in N. apply sign_nonnegative, N, I.
       + rewrite Q, value_zero. lra.
-    - exists y. split; [|exact E]. apply (in_the_box m b y S). intros; apply Y.
+    - exists y. split; [|exact UY]. apply (in_the_box m b y S). intros; apply Y.
   Qed.
 
   Lemma exact_solution l :
@@ -180,7 +180,7 @@ Section Small.
       + intros s r ys SR IP KN. destruct e as [e|]; [|apply (exact_near l s r ys SR IP KN)].
         unfold check_known, bounds_of in KN. cbn [vicinity_of box_of_motion] in KN. apply andb_prop in KN. destruct KN as [A Z].
         unfold are_distances in H0. apply andb_prop in H0. destruct H0 as [_ N].
-        apply (up_to_near _ _ e ys s r _ SB eq_refl N SR IP A Z).
+        apply (up_to_near _ _ e (numbers e) ys s r _ SB eq_refl (fun _ => eq_refl) N SR IP A Z).
     - cbv zeta in H. apply andb_prop in H. destruct H as [H More]. apply andb_prop in H. destruct H as [H Same].
       set (b := box_of p modes center radius pinned) in *.
       change (box_of_motion p (Boxed modes center radius pinned dropped inverse near)) with b in *.
@@ -200,14 +200,16 @@ Section Small.
       + intros ms k Q K. inversion Q; subst. apply M, K.
       + intros s r ys SR IP KN. unfold check_known, bounds_of in KN. change (box_of_motion p m) with b in KN.
         destruct near as [|l|e]; cbn [m vicinity_of] in KN.
-        * rewrite andb_false_r in KN. discriminate.
+        * apply andb_prop in KN. destruct KN as [A F].
+          apply (up_to_near _ _ [] (fun _ => 0) ys s r _ SB eq_refl); try assumption; try reflexivity.
+          intros [|j]; symmetry; apply value_zero.
         * apply andb_prop in KN. destruct KN as [A F]. destruct pinned as [|x pinned]; [|discriminate].
           unfold check_box in H. split_and H. apply Nat.eqb_eq in H.
           destruct (has_zero_sound _ _ _ _ _ H1) as [_ [_ [_ [ND _]]]]. unfold has_zero in H1. split_and H1.
           apply Nat.eqb_eq in H1. intros j J. cbn [m listed_of distance]. rewrite size_n in J. rewrite free_is_none. cbn [Nat.add].
           apply (alone_is_near modes center radius dropped inverse l d0 s r ys); assumption.
         * apply andb_prop in KN. destruct KN as [A F]. unfold are_distances in More. apply andb_prop in More. destruct More as [_ N].
-          apply (up_to_near _ _ e ys s r _ SB eq_refl N SR IP A F).
+          apply (up_to_near _ _ e (numbers e) ys s r _ SB eq_refl (fun _ => eq_refl) N SR IP A F).
   Qed.
 
   (** Each motion of a pattern that is covered is in a case that is known. *)

@@ -104,8 +104,8 @@ Record instance := Instance {
 }.
 
 (** A motion in the list of all of them: its forces, or a box, of the problem without free unknowns; and what is known of
-    others near it. *)
-Inductive others_near := Unbounded | Alone (factor : number) | Within (distances : list number).
+    others near it. Distances that are left out are 0. *)
+Inductive others_near := Bare | Alone (factor : number) | Within (distances : list number).
 Inductive listed :=
   | Exact (forces : list number) (within : option (list number))
   | Boxed (modes : list mode) (center radius : list number) (pinned : list N) (dropped : list (N * list (N * number)))
@@ -171,7 +171,7 @@ Definition written_listed (m : listed) : list piece :=
   | Boxed modes center radius pinned dropped inverse near =>
       [Word "motion"; Word "box"] ++ written_box modes center radius pinned dropped ++ [Word "inverse"] ++ in_matrix inverse
       ++ match near with
-         | Unbounded => []
+         | Bare => []
          | Alone l => [Word "alone"; Numeral l]
          | Within e => Word "within" :: numerals e
          end
@@ -273,7 +273,7 @@ Definition listed_of (i : instance) (m : listed) : listed_motion :=
   | Boxed modes center radius pinned _ _ near =>
       let forces l := numbers (by_forces (N.to_nat (dim i)) (frictions i) modes l) in
       ListedMotion (forces center) (forces (pin 0 pinned radius)) (Some (fun k => nth k modes Open))
-        (match near with Within e => Some (numbers e) | _ => None end)
+        (match near with Bare => Some (fun _ => 0%R) | Alone _ => None | Within e => Some (numbers e) end)
   end.
 
 Definition meaning (i : instance) (b : body) : Prop :=

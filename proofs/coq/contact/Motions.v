@@ -226,7 +226,7 @@ Definition check_motion (i : instance) (p : tables) (m : listed) : bool :=
       && forallb (fun j => eq (get (center_of b) j) (get centers j) && eq (abs (get (radius_of b) j)) (get radii j))
            (range 0 (N.to_nat (t_size p)))
       && match near with
-         | Unbounded => true
+         | Bare => true
          | Alone l =>
              match pinned with [] => true | _ => false end
              && is_alone (center_of b) (radius_of b) left kept (by_rows inverse) l
@@ -294,14 +294,13 @@ Section Known.
     end.
 End Known.
 
-(** The distances of an exact motion are 0 where it has none; a motion alone has none. *)
-Inductive vicinity := OnlyThis (l : number) | UpTo (e : list number) | Anywhere.
+(** Distances that are left out are 0. *)
+Inductive vicinity := OnlyThis (l : number) | UpTo (e : list number).
 Definition vicinity_of (m : listed) : vicinity :=
   match m with
-  | Exact _ None => UpTo []
+  | Exact _ None | Boxed _ _ _ _ _ _ Bare => UpTo []
   | Exact _ (Some e) | Boxed _ _ _ _ _ _ (Within e) => UpTo e
   | Boxed _ _ _ _ _ _ (Alone l) => OnlyThis l
-  | Boxed _ _ _ _ _ _ Unbounded => Anywhere
   end.
 
 Definition bounds_of (p : tables) (s : pattern) (m : listed) : list bound :=
@@ -309,7 +308,6 @@ Definition bounds_of (p : tables) (s : pattern) (m : listed) : list bound :=
   match vicinity_of m with
   | UpTo e => flat_map (velocity_bounds p s b (table_of e)) (all_contacts p)
   | OnlyThis l => flat_map (force_bounds p s b l) (contacts_of p (modes_of p m))
-  | Anywhere => []
   end.
 
 Definition check_known (p : tables) (s : pattern) (m : listed) (ys : list (list number)) : bool :=
@@ -317,7 +315,6 @@ Definition check_known (p : tables) (s : pattern) (m : listed) (ys : list (list 
   match vicinity_of m with
   | UpTo e => forallb (zero_in_range p s (box_of_motion p m) (table_of e)) (all_contacts p)
   | OnlyThis _ => forallb (fits p s) (contacts_of p (modes_of p m))
-  | Anywhere => false
   end.
 
 (** A tree, depth first, and the patterns that it still has to cover. *)

@@ -79,7 +79,7 @@ Section Claims.
           let box := Boxed modes z p pinned dropped (fst a) in
           if at_word "alone" (snd a) then let* l := one_number (tl (snd a)) in Some (box (Alone (fst l)), snd l) else
           let* e := read_distances (snd a) in
-          Some (box (match fst e with Some e => Within e | None => Unbounded end), snd e)
+          Some (box (match fst e with Some e => Within e | None => Bare end), snd e)
       | None => None
       end.
 

@@ -98,7 +98,7 @@ let decimal number =
   end
 
 let motions_in_words motions =
-  let has_distances = function Exact (_, Some _) | Boxed (_, _, _, _, _, _, Within _) -> true | _ -> false in
+  let has_distances = function Exact (_, Some _) | Boxed (_, _, _, _, _, _, (Bare | Within _)) -> true | _ -> false in
   match List.length motions with
   | 0 -> "no motion at all"
   | count when List.exists has_distances motions ->

@@ -30,7 +30,8 @@ rejected rests-or-lifts s/exact 1/exact 2/
 rejected touches s/empty 1/empty 0/
 rejected touches s/empty 1/empty -1/
 accepted rests s/alone 1/within 0/;s/known 0.*/known 0/
-rejected rests s/alone 1//;s/known 0.*/known 0/
+accepted rests s/alone 1//;s/known 0.*/known 0/
+unreadable rests s/alone 1//
 rejected rests s/alone 1/alone 1\/2/
 rejected rests s/0 0 1\/2/0 0 1/
 rejected rests s/known 0  -1  1/known 0  0  1/
@@ -38,6 +39,7 @@ rejected rests s/known 0  -1  1/known 0  -1  0/
 rejected rests s/empty -1/empty 1/
 unreadable rests s/empty -1//
 unreadable rests s/eliminated.*//
+accepted slides s/within 0 0//
 rejected slides s/within 0 0/within 0 -1/
 rejected slides s/known 0  1\/2 1/known 0  1\/2 0/
 rejected slides s/empty 0 1/empty 0 0/
@@ -57,6 +59,7 @@ rejected slides-in-space s/slips 0 4  1 0  0 1  -1 0/slips 0 4  1 0  0 1  -1 1/
 rejected slides-in-space s/slips 0 4  1 0  0 1  -1 0  0 -1/slips 0 3  1 0  0 1  -1 0/;s/    empty 0 0 1//
 rejected slides-in-space s/center 10 -3 -4 2/center 10 -3 -4 3/
 rejected near-a-slide s/within 0 1\/16 1\/16/within 0 1\/16 0/
+rejected near-a-slide s/within 0 1\/16 1\/16//
 rejected near-a-slide s/within 0 1\/16 1\/16/within 0 1\/16 -1/
 END
 echo "$changes changes are judged as they should be"
