@@ -164,15 +164,26 @@ Section Small.
     destruct (Nat.ltb_spec k (size P)); [reflexivity | lia].
   Qed.
 
+  Lemma check_motion_box m : check_motion i p m = true -> same_box (listed_of i m) (box_of_motion p m).
+  Proof.
+    intros H. destruct m as [l e|modes center radius pinned dropped inverse near].
+    - intros j _. cbn [box_of_motion center_of radius_of listed_of box_center box_radius]. unfold values, absolute.
+      rewrite table_of_value, get_empty, value_zero, Rabs_R0. split; reflexivity.
+    - cbn [check_motion] in H. cbv zeta in H. apply andb_prop in H. destruct H as [H _]. apply andb_prop in H. destruct H as [_ H].
+      intros j J. rewrite forallb_forall in H.
+      assert (I : In (N.of_nat j) (range 0 (N.to_nat (t_size p)))).
+      { apply range_In. assert (SZ := size_is i). fold p P n in SZ. rewrite SZ. lia. }
+      specialize (H _ I). apply andb_prop in H. destruct H as [C R]. apply eq_value in C. apply eq_value in R.
+      rewrite value_abs in R. rewrite table_of_value in C, R. split; [exact C | exact R].
+  Qed.
+
   Theorem check_motion_sound m : check_motion i p m = true ->
     exists found, is_listed P (listed_of i m) found /\
       forall s r ys, solution P r -> in_pattern i s r -> check_known p s m ys = true -> is_near P (listed_of i m) found r.
   Proof.
-    intros H. destruct m as [l e|modes center radius pinned dropped inverse near]; unfold check_motion in H.
-    - cbv zeta in H. cbn [box_of_motion center_of] in H. split_and H.
-      assert (SB : same_box (listed_of i (Exact l e)) (Box (table_of l) empty)).
-      { intros j _. cbn [center_of radius_of listed_of box_center box_radius]. unfold values, absolute.
-        rewrite table_of_value, get_empty, value_zero, Rabs_R0. split; reflexivity. }
+    intros H. assert (SB := check_motion_box m H).
+    destruct m as [l e|modes center radius pinned dropped inverse near]; unfold check_motion in H.
+    - cbv zeta in H. cbn [box_of_motion center_of] in H, SB. split_and H.
       exists (numbers l). split; [split; [apply exact_solution; assumption | split]|].
       + apply (in_the_box _ _ _ SB). intros j J. rewrite (proj1 (SB j J)), (proj2 (SB j J)). cbn [listed_of box_center box_radius].
         rewrite Rminus_diag_eq, Rabs_R0; [lra | reflexivity].
@@ -181,16 +192,10 @@ Section Small.
         unfold check_known, bounds_of in KN. cbn [vicinity_of box_of_motion] in KN. apply andb_prop in KN. destruct KN as [A Z].
         unfold are_distances in H0. apply andb_prop in H0. destruct H0 as [_ N].
         apply (up_to_near _ _ e (numbers e) ys s r _ SB eq_refl (fun _ => eq_refl) N SR IP A Z).
-    - cbv zeta in H. apply andb_prop in H. destruct H as [H More]. apply andb_prop in H. destruct H as [H Same].
+    - cbv zeta in H. apply andb_prop in H. destruct H as [H More]. apply andb_prop in H. destruct H as [H _].
       set (b := box_of p modes center radius pinned) in *.
       change (box_of_motion p (Boxed modes center radius pinned dropped inverse near)) with b in *.
       set (m := Boxed modes center radius pinned dropped inverse near) in *.
-      assert (SB : same_box (listed_of i m) b).
-      { intros j J. rewrite forallb_forall in Same.
-        assert (I : In (N.of_nat j) (range 0 (N.to_nat (t_size p)))).
-        { apply range_In. assert (SZ := size_is i). fold p P n in SZ. rewrite SZ. lia. }
-        specialize (Same _ I). apply andb_prop in Same. destruct Same as [C R]. apply eq_value in C. apply eq_value in R.
-        rewrite value_abs in R. rewrite table_of_value in C, R. split; [exact C | exact R]. }
       destruct (check_box_sound i whole fine_numbers modes center radius pinned dropped _
         (fun z r left kept => has_zero_sound z r left kept (by_rows inverse)) H) as [d0 [W [O [Z [S M]]]]].
       fold p b in W, O, Z, S, M. exists (fun j => zero_of b d0 (N.of_nat j)). split; [split; [exact S | split]|].
