@@ -61,5 +61,8 @@ rejected slides-in-space s/center 10 -3 -4 2/center 10 -3 -4 3/
 rejected near-a-slide s/within 0 1\/16 1\/16/within 0 1\/16 0/
 rejected near-a-slide s/within 0 1\/16 1\/16//
 rejected near-a-slide s/within 0 1\/16 1\/16/within 0 1\/16 -1/
+rejected with-free-unknown s/eliminated 1 0 0 1/eliminated 1 0 0 3/
+rejected with-free-unknown s/alone 488/alone 4880/
+rejected with-free-unknown s/alone 488/alone 1/
 END
 echo "$changes changes are judged as they should be"
