@@ -103,6 +103,22 @@ Record instance := Instance {
   answer : option (list number)
 }.
 
+(** A motion in the list of all of them: its forces, or a box, of the problem without free unknowns; and what is known of
+    others near it. Distances that are left out are 0. *)
+Inductive others_near := Bare | Alone (factor : number) | Within (distances : list number).
+Inductive listed :=
+  | Exact (forces : list number) (within : option (list number))
+  | Boxed (modes : list mode) (center radius : list number) (pinned : list N) (dropped : list (N * list (N * number)))
+      (inverse : list (N * N * number)) (near : others_near).
+
+(** Cases, depth first; directions are pairs. *)
+Inductive node :=
+  | Decide (k : N)
+  | Slips (k : N) (directions : list (number * number))
+  | Arcs (k : N) (directions : list (number * number))
+  | Empty (multipliers : list number)
+  | Known (motion : N) (multipliers : list (list number)).
+
 (** A claim with what proves it. *)
 Inductive body :=
   | Eps (bound moved : number) (point motions : list number)
@@ -114,7 +130,8 @@ Inductive body :=
       (dropped : list (N * list (N * number))) (rows : list number) (least defect bend : number)
       (factor : list (N * N * number))
   | Dominant (weights : list number)
-  | Definite (factor : list (N * N * number)).
+  | Definite (factor : list (N * N * number))
+  | AllSolutions (eliminated : option (list (N * N * number))) (motions : list listed) (tree : list node).
 
 Record certificate := Certificate { problem_name : option string; about : instance; claims : list body }.
 
@@ -134,16 +151,46 @@ Definition mode_word (m : mode) : string :=
   | Slide => "slide" | SlidePlus => "slide+" | SlideMinus => "slide-"
   end.
 
-(** What enclosures and balls have in common. *)
-Definition written_near (word : string) (rho : number) (eta : option number) (modes : list mode) (center radius : list number)
-    (pinned : list N) (dropped : list (N * list (N * number))) : list piece :=
-  [Word word; Numeral rho] ++ match eta with Some x => [Word "velocities"; Numeral x] | None => [] end
-  ++ [Word "modes"] ++ map (fun m => Word (mode_word m)) modes
+(** What enclosures, balls and boxes of motions have in common. *)
+Definition written_box (modes : list mode) (center radius : list number) (pinned : list N)
+    (dropped : list (N * list (N * number))) : list piece :=
+  [Word "modes"] ++ map (fun m => Word (mode_word m)) modes
   ++ [Word "center"] ++ numerals center ++ [Word "radius"] ++ numerals radius
   ++ [Word "pinned"; count pinned] ++ map Count pinned
   ++ [Word "dropped"; count dropped] ++ flat_map (fun d => Count (fst d) :: in_row (snd d)) dropped.
 
-Definition written (b : body) : list piece :=
+Definition written_near (word : string) (rho : number) (eta : option number) (modes : list mode) (center radius : list number)
+    (pinned : list N) (dropped : list (N * list (N * number))) : list piece :=
+  [Word word; Numeral rho] ++ match eta with Some x => [Word "velocities"; Numeral x] | None => [] end
+  ++ written_box modes center radius pinned dropped.
+
+Definition written_listed (m : listed) : list piece :=
+  match m with
+  | Exact r within =>
+      [Word "motion"; Word "exact"] ++ numerals r ++ match within with Some e => Word "within" :: numerals e | None => [] end
+  | Boxed modes center radius pinned dropped inverse near =>
+      [Word "motion"; Word "box"] ++ written_box modes center radius pinned dropped ++ [Word "inverse"] ++ in_matrix inverse
+      ++ match near with
+         | Bare => []
+         | Alone l => [Word "alone"; Numeral l]
+         | Within e => Word "within" :: numerals e
+         end
+  end.
+
+Definition in_directions (l : list (number * number)) : list piece :=
+  count l :: flat_map (fun d => [Numeral (fst d); Numeral (snd d)]) l.
+
+(** In dimension 2 a contact that slips has no directions to choose from. *)
+Definition written_node (planar : bool) (n : node) : list piece :=
+  match n with
+  | Decide k => [Word "decide"; Count k]
+  | Slips k l => [Word "slips"; Count k] ++ if planar then [] else in_directions l
+  | Arcs k l => [Word "arcs"; Count k] ++ in_directions l
+  | Empty y => Word "empty" :: numerals y
+  | Known i ys => [Word "known"; Count i] ++ flat_map numerals ys
+  end.
+
+Definition written (planar : bool) (b : body) : list piece :=
   match b with
   | Eps bound moved point motions =>
       [Word "eps"; Numeral bound; Numeral moved; Word "point"] ++ numerals point ++ [Word "motion"] ++ numerals motions
@@ -157,6 +204,9 @@ Definition written (b : body) : list piece :=
       ++ [Word "factor"] ++ in_matrix factor
   | Dominant d => [Word "unique"; Word "dominant"] ++ numerals d
   | Definite l => [Word "unique"; Word "definite"] ++ in_matrix l
+  | AllSolutions eliminated motions tree =>
+      [Word "all-solutions"; count motions] ++ match eliminated with Some b => Word "eliminated" :: in_matrix b | None => [] end
+      ++ flat_map written_listed motions ++ flat_map (written_node planar) tree
   end.
 
 Definition pieces (c : certificate) : list piece :=
@@ -166,7 +216,7 @@ Definition pieces (c : certificate) : list piece :=
   ++ [Word "mu"] ++ numerals (frictions i) ++ [Word "matrix"] ++ in_matrix (entries i)
   ++ [Word "constant"] ++ numerals (constants i)
   ++ match answer i with Some x => Word "answer" :: numerals x | None => [Word "no-answer"] end
-  ++ flat_map written (claims c) ++ [Word "end"].
+  ++ flat_map (written (N.ltb (dim i) 3)) (claims c) ++ [Word "end"].
 
 Definition spells (token : string) (p : piece) : Prop :=
   match p with
@@ -199,6 +249,33 @@ Definition complete (i : instance) : Prop :=
 Definition of_answer (i : instance) (says : (nat -> R) -> Prop) : Prop :=
   match answer i with Some x => says (numbers x) | None => False end.
 
+(** The numbers of unknowns, by the components of the contacts' forces: those that are no unknowns are 0, slips are left out. *)
+Fixpoint by_forces (d : nat) (mus : list number) (modes : list mode) (l : list number) : list number :=
+  match mus, modes with
+  | m :: mus, s :: modes =>
+      let forces := match s with
+        | Open => 0
+        | Touch => 1
+        | _ => if Nat.ltb 1 d && negb (is_zero m) then d else 1
+        end%nat in
+      let unknowns := match s with Slide => S forces | _ => forces end in
+      firstn forces l ++ repeat zero (d - forces) ++ by_forces d mus modes (skipn unknowns l)
+  | _, _ => []
+  end.
+
+(** 0 at the indices, counted from i on. *)
+Fixpoint pin (i : N) (indices : list N) (l : list number) : list number :=
+  match l with [] => [] | x :: r => (if existsb (N.eqb i) indices then zero else x) :: pin (N.succ i) indices r end.
+
+Definition listed_of (i : instance) (m : listed) : listed_motion :=
+  match m with
+  | Exact r within => ListedMotion (numbers r) (fun _ => 0%R) None (option_map numbers within)
+  | Boxed modes center radius pinned _ _ near =>
+      let forces l := numbers (by_forces (N.to_nat (dim i)) (frictions i) modes l) in
+      ListedMotion (forces center) (forces (pin 0 pinned radius)) (Some (fun k => nth k modes Open))
+        (match near with Bare => Some (fun _ => 0%R) | Alone _ => None | Within e => Some (numbers e) end)
+  end.
+
 Definition meaning (i : instance) (b : body) : Prop :=
   let p := problem_of i in
   match b with
@@ -210,4 +287,5 @@ Definition meaning (i : instance) (b : body) : Prop :=
   | Enclosure rho (Some eta) modes _ _ _ _ _ | Ball rho (Some eta) modes _ _ _ _ _ _ _ _ _ =>
       of_answer i (fun x => enclosure_with_velocities p x (value rho) (value eta) (fun k => nth k modes Open))
   | Dominant _ | Definite _ => unique p
+  | AllSolutions _ motions _ => all_motions p (map (listed_of i) motions)
   end.

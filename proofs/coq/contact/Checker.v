@@ -178,26 +178,35 @@ Definition has_zero (z p : table) (left : list N) (kept : list equation) (invers
   && forallb (fun e => match e with (f, s, _, r, q) => lt s r && le (add (add f s) q) r end) found
   && existsb (fun t => forallb (fun e => match e with (f, s, q, r, _) => mapped t f s q r end) found) fractions.
 
+(** The unknowns that are left, and their box; the equations that are kept. *)
+Definition unknowns_left (p : tables) (modes : list mode) (pinned : list N) : list N := others 0 (indices pinned) (unknowns p modes).
+Definition box_of (p : tables) (modes : list mode) (center radius : list number) (pinned : list N) : box :=
+  Box (assign (unknowns p modes) center empty)
+    (assign (unknowns_left p modes pinned) (others 0 (indices pinned) radius) empty).
+Definition equations_kept (p : tables) (modes : list mode) (dropped : list (N * list (N * number))) : list equation :=
+  others 0 (indices (map fst dropped)) (equations p modes).
+
 (** There is a zero of the equations that are left, by what a claim gives for it; and everywhere around it the conditions hold. *)
+Definition check_box (p : tables) (modes : list mode) (center radius : list number) (pinned : list N)
+    (dropped : list (N * list (N * number))) (zero_near : table -> table -> list N -> list equation -> bool) : bool :=
+  let left := unknowns_left p modes pinned in
+  let b := box_of p modes center radius pinned in
+  let index_all := tabulate 0 (equations p modes) (PositiveMap.empty equation) in
+  Nat.eqb (List.length modes) (List.length (t_mus p))
+  && forallb positive_number radius
+  && forallb (combined (center_of b) left (indices (map fst dropped)) index_all) dropped
+  && zero_near (center_of b) (radius_of b) left (equations_kept p modes dropped)
+  && forallb (conditions p b) (contacts_of p modes).
+
 Definition check_near (p : tables) (x : list number) (rho : number) (eta : option number) (modes : list mode)
     (center radius : list number) (pinned : list N) (dropped : list (N * list (N * number)))
     (zero_near : table -> table -> list N -> list equation -> bool) : bool :=
-  let variables := unknowns p modes in
-  let all := equations p modes in
-  let left := others 0 (indices pinned) variables in
-  let taken := indices (map fst dropped) in
-  let z := assign variables center empty in
-  let r := assign left (others 0 (indices pinned) radius) empty in
-  let b := Box z r in
+  let b := box_of p modes center radius pinned in
   let answers := table_of x in
-  let index_all := tabulate 0 all (PositiveMap.empty equation) in
   nonnegative rho
-  && Nat.eqb (List.length modes) (List.length (t_mus p))
-  && forallb positive_number radius
-  && forallb (combined z left taken index_all) dropped
-  && zero_near z r left (others 0 taken all)
-  && forallb (conditions p b) (contacts_of p modes)
-  && forallb (fun i => le (add (abs (sub (get z i) (get answers i))) (abs (get r i))) rho) (range 0 (N.to_nat (t_size p)))
+  && check_box p modes center radius pinned dropped zero_near
+  && forallb (fun i => le (add (abs (sub (get (center_of b) i) (get answers i))) (abs (get (radius_of b) i))) rho)
+       (range 0 (N.to_nat (t_size p)))
   && match eta with
      | None => true
      | Some eta =>

@@ -1,5 +1,5 @@
 (** Contact problems with dry friction, over Coq's real numbers (FORMAT.md, "The problem"). *)
-From Coq Require Import Reals.
+From Coq Require Import Reals List.
 Local Open Scope R_scope.
 
 (** f 0 + ... + f (n - 1) *)
@@ -92,3 +92,35 @@ Definition no_solution (p : problem) : Prop := forall x, ~ solution p x.
 Definition unique (p : problem) : Prop :=
   forall c, exists x, solution (with_constant p c) x /\
     forall y, solution (with_constant p c) y -> forall i, (i < size p)%nat -> y i = x i.
+
+(** A motion in a list of all: the box of its forces, its modes, and how far from the velocities in the box others may be;
+    without a distance it is the only one of its kind. Components are those of contacts, without the free ones. *)
+Record listed_motion := ListedMotion {
+  box_center : nat -> R;
+  box_radius : nat -> R;
+  listed_modes : option (nat -> mode);
+  distance : option (nat -> R)
+}.
+
+Definition in_box (p : problem) (m : listed_motion) (x : nat -> R) : Prop :=
+  (forall i, (i < free p)%nat -> motion p x i = 0) /\
+  forall j, (j < dimension p * contacts p)%nat -> Rabs (x (free p + j)%nat - box_center m j) <= box_radius m j.
+
+Definition is_listed (p : problem) (m : listed_motion) (x : nat -> R) : Prop :=
+  solution p x /\ in_box p m x /\ forall modes k, listed_modes m = Some modes -> (k < contacts p)%nat ->
+    in_mode (dimension p) (friction p k) (modes k) (of_contact p k x) (of_contact p k (motion p x)).
+
+(** A solution has the velocities of a motion that was found; or, where that has a distance, each of its velocities is within
+    this distance of one that forces in the box give. *)
+Definition is_near (p : problem) (m : listed_motion) (found x : nat -> R) : Prop :=
+  forall j, (j < dimension p * contacts p)%nat ->
+    match distance m with
+    | None => motion p x (free p + j)%nat = motion p found (free p + j)%nat
+    | Some e => exists y, in_box p m y /\ Rabs (motion p x (free p + j)%nat - motion p y (free p + j)%nat) <= e j
+    end.
+
+(** The motions in the list exist, and each solution is near one of them. *)
+Definition all_motions (p : problem) (l : list listed_motion) : Prop :=
+  exists found : nat -> nat -> R,
+    (forall i m, nth_error l i = Some m -> is_listed p m (found i)) /\
+    forall x, solution p x -> exists i m, nth_error l i = Some m /\ is_near p m (found i) x.

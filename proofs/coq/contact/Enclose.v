@@ -300,6 +300,65 @@ Section Instance.
     unfold contact_at; cbn [first]. do 2 f_equal. unfold P, problem_of; cbn [free dimension]. lia.
   Qed.
 
+  Lemma middle_motion l j : value (middle (Box (table_of l) empty) (row p (N.of_nat j))) = motion P (numbers l) j.
+  Proof.
+    unfold middle, motion. rewrite value_add, sum_of_value. cbn [constant_part linear_part row center_of].
+    unfold p, P. rewrite (row_linear i whole), (row_constant i). rewrite Rplus_comm. f_equal.
+    apply sum_ext. intros t _. unfold values. rewrite table_of_value. reflexivity.
+  Qed.
+
+  Definition zero_of (b : box) (d : vector) : vector := fun k => values (center_of b) k + d k.
+
+  Lemma check_box_sound modes center radius pinned dropped zero_near :
+    (forall z r left kept, zero_near z r left kept = true ->
+      exists d, (forall k, Rabs (d k) <= absolute r k) /\ (forall k, ~ In k left -> d k = 0) /\ NoDup left /\
+        forall e, In e kept -> eval e (fun k => values z k + d k) = 0) ->
+    check_box p modes center radius pinned dropped zero_near = true ->
+    exists d, let b := box_of p modes center radius pinned in let X := fun j => zero_of b d (N.of_nat j) in
+      within b d /\ (forall k, ~ In k (unknowns_left p modes pinned) -> d k = 0) /\
+      (forall e, In e (equations_kept p modes dropped) -> eval e (zero_of b d) = 0) /\
+      solution P X /\
+      forall k, (k < contacts P)%nat -> in_mode (dimension P) (friction P k) (nth k modes Open)
+        (of_contact P k X) (of_contact P k (motion P X)).
+  Proof.
+    intros ZN H. unfold check_box in H.
+    set (left := unknowns_left p modes pinned) in *. set (b := box_of p modes center radius pinned) in *.
+    split_and H. apply Nat.eqb_eq in H. change (t_mus p) with (frictions i) in H.
+    destruct (ZN _ _ _ _ H1) as [d [D [O [ND Z]]]]. exists d. cbv zeta. assert (W : within b d) by exact D.
+    split; [exact W|]. split; [exact O|]. split; [exact Z|].
+    set (v := fun k => values (center_of b) k + d k) in *. change (zero_of b d) with v.
+    set (all := tabulate 0 (equations p modes) (PositiveMap.empty equation)) in *.
+    set (taken := indices (map fst dropped)) in *.
+    assert (A : forall n, look nothing all n = nth (N.to_nat n) (equations p modes) nothing) by (intros n; apply look_list).
+    assert (Kept : forall n, is_in taken n = false -> eval (look nothing all n) v = 0).
+    { intros n T. rewrite A. destruct (nth_error (equations p modes) (N.to_nat n)) as [e|] eqn:E.
+      - rewrite (nth_error_nth _ _ nothing E). apply Z. apply (others_In _ _ _ _ 0%N E). rewrite N.add_0_l, N2Nat.id. exact T.
+      - apply nth_error_None in E. rewrite nth_overflow by assumption. unfold eval; cbn. rewrite value_zero. lra. }
+    assert (All : forall e, In e (equations p modes) -> eval e v = 0).
+    { intros e E. apply (In_nth _ _ nothing) in E. destruct E as [n [L <-]].
+      assert (Q : eval (look nothing all (N.of_nat n)) v = 0).
+      { destruct (is_in taken (N.of_nat n)) eqn:T; [|apply Kept, T].
+        apply is_in_indices, in_map_iff in T. destruct T as [dd [F I]]. rewrite <- F.
+        rewrite forallb_forall in H2. apply (combined_zero (center_of b) left taken all dd d ND O Kept), H2, I. }
+      rewrite A, Nat2N.id in Q. exact Q. }
+    assert (Contacts : forall k, (k < contacts P)%nat ->
+      coulomb (dimension P) (friction P k) (of_contact P k (fun j => v (N.of_nat j)))
+        (of_contact P k (motion P (fun j => v (N.of_nat j)))) /\
+      in_mode (dimension P) (friction P k) (nth k modes Open) (of_contact P k (fun j => v (N.of_nat j)))
+        (of_contact P k (motion P (fun j => v (N.of_nat j))))).
+    { intros k K. assert (I := contact_at_In modes k H K).
+      rewrite (of_contact_vector modes), (of_contact_motion modes).
+      apply (contact_law b d (contact_at modes k) W).
+      - apply friction_is, K.
+      - intros e E. apply All. apply in_or_app. right. apply in_flat_map. exists (contact_at modes k). split; assumption.
+      - rewrite forallb_forall in H0. apply H0, I. }
+    split; [split|].
+    - intros k K. rewrite <- (row_motion i whole). apply All. apply in_or_app. left. apply in_map, range_In.
+      unfold P, problem_of in K; cbn in K. change (t_frees p) with (frees i). lia.
+    - intros k K. apply Contacts, K.
+    - intros k K. apply Contacts, K.
+  Qed.
+
   Theorem check_near_sound x rho eta modes center radius pinned dropped zero_near :
     (forall z r left kept, zero_near z r left kept = true ->
       exists d, (forall k, Rabs (d k) <= absolute r k) /\ (forall k, ~ In k left -> d k = 0) /\ NoDup left /\
@@ -313,70 +372,31 @@ Section Instance.
       | Some eta => forall j, (free P <= j < size P)%nat -> Rabs (motion P X j - motion P (numbers x) j) <= value eta
       end.
   Proof.
-    intros ZN H. unfold check_near in H.
-    set (left := others 0 (indices pinned) (unknowns p modes)) in *.
-    set (z := assign (unknowns p modes) center empty) in *.
-    set (r := assign left (others 0 (indices pinned) radius) empty) in *.
-    split_and H. apply Nat.eqb_eq in H6. change (t_mus p) with (frictions i) in H6.
-    destruct (ZN _ _ _ _ H3) as [d [D [O [ND Z]]]].
-    set (b := Box z r) in *. assert (W : within b d) by exact D.
-    set (v := fun k => values z k + d k) in *.
-    set (all := tabulate 0 (equations p modes) (PositiveMap.empty equation)) in *.
-    set (taken := indices (map fst dropped)) in *.
-    assert (A : forall n, look nothing all n = nth (N.to_nat n) (equations p modes) nothing) by (intros n; apply look_list).
-    assert (Kept : forall n, is_in taken n = false -> eval (look nothing all n) v = 0).
-    { intros n T. rewrite A. destruct (nth_error (equations p modes) (N.to_nat n)) as [e|] eqn:E.
-      - rewrite (nth_error_nth _ _ nothing E). apply Z. apply (others_In _ _ _ _ 0%N E). rewrite N.add_0_l, N2Nat.id. exact T.
-      - apply nth_error_None in E. rewrite nth_overflow by assumption. unfold eval; cbn. rewrite value_zero. lra. }
-    assert (All : forall e, In e (equations p modes) -> eval e v = 0).
-    { intros e E. apply (In_nth _ _ nothing) in E. destruct E as [n [L <-]].
-      assert (Q : eval (look nothing all (N.of_nat n)) v = 0).
-      { destruct (is_in taken (N.of_nat n)) eqn:T; [|apply Kept, T].
-        apply is_in_indices, in_map_iff in T. destruct T as [dd [F I]]. rewrite <- F.
-        rewrite forallb_forall in H4. apply (combined_zero z left taken all dd d ND O Kept), H4, I. }
-      rewrite A, Nat2N.id in Q. exact Q. }
-    assert (Contacts : forall k, (k < contacts P)%nat ->
-      coulomb (dimension P) (friction P k) (of_contact P k (fun j => v (N.of_nat j)))
-        (of_contact P k (motion P (fun j => v (N.of_nat j)))) /\
-      in_mode (dimension P) (friction P k) (nth k modes Open) (of_contact P k (fun j => v (N.of_nat j)))
-        (of_contact P k (motion P (fun j => v (N.of_nat j))))).
-    { intros k K. assert (I := contact_at_In modes k H6 K).
-      rewrite (of_contact_vector modes), (of_contact_motion modes).
-      apply (contact_law b d (contact_at modes k) W).
-      - apply friction_is, K.
-      - intros e E. apply All. apply in_or_app. right. apply in_flat_map. exists (contact_at modes k). split; assumption.
-      - rewrite forallb_forall in H2. apply H2, I. }
-    exists (fun j => v (N.of_nat j)). split; [split|split; [|split]].
-    - intros k K. rewrite <- (row_motion i whole). apply All. apply in_or_app. left. apply in_map, range_In.
-      unfold P, problem_of in K; cbn in K. change (t_frees p) with (frees i). lia.
-    - intros k K. apply Contacts, K.
+    intros ZN H. unfold check_near in H. set (b := box_of p modes center radius pinned) in *.
+    split_and H. destruct (check_box_sound _ _ _ _ _ _ ZN H2) as [d [W [_ [_ [S M]]]]]. fold b in W, S, M.
+    set (v := zero_of b d) in *. exists (fun j => v (N.of_nat j)). split; [exact S|]. split; [|split; [exact M|]].
     - intros k K. rewrite forallb_forall in H1.
       assert (Q : In (N.of_nat k) (range 0 (N.to_nat (t_size p)))).
       { apply range_In. assert (SZ := size_is i). fold p P in SZ. rewrite SZ. lia. }
       specialize (H1 _ Q). apply le_value in H1.
       rewrite value_add, !value_abs, value_sub, (table_of_value x k) in H1.
-      eapply Rle_trans; [|exact H1]. unfold v, values.
-      replace (value (get z (N.of_nat k)) + d (N.of_nat k) - numbers x k)
-        with (value (get z (N.of_nat k)) - numbers x k + d (N.of_nat k)) by ring.
-      eapply Rle_trans; [apply Rabs_triang|]. specialize (W (N.of_nat k)). unfold absolute in W. change (radius_of b) with r in W. lra.
-    - intros k K. apply Contacts, K.
+      eapply Rle_trans; [|exact H1]. unfold v, zero_of, values.
+      replace (value (get (center_of b) (N.of_nat k)) + d (N.of_nat k) - numbers x k)
+        with (value (get (center_of b) (N.of_nat k)) - numbers x k + d (N.of_nat k)) by ring.
+      eapply Rle_trans; [apply Rabs_triang|]. specialize (W (N.of_nat k)). unfold absolute in W. lra.
     - destruct eta as [eta|]; [|trivial]. intros j J. rewrite forallb_forall in H0.
       assert (Q : In (N.of_nat j) (range (t_frees p) (N.to_nat (t_size p - t_frees p)))).
-      { apply range_In. assert (S := size_is i). fold p P in S. change (free P) with (N.to_nat (frees i)) in J.
+      { apply range_In. assert (SZ := size_is i). fold p P in SZ. change (free P) with (N.to_nat (frees i)) in J.
         change (t_frees p) with (frees i). lia. }
       specialize (H0 _ Q). cbv zeta in H0. apply le_value in H0.
       rewrite value_add, value_abs, value_sub in H0.
       eapply Rle_trans; [|exact H0].
-      assert (M := linear_middle b (row p (N.of_nat j)) d eq_refl W). fold v in M.
+      assert (L := linear_middle b (row p (N.of_nat j)) d eq_refl W). fold (zero_of b d) in L. fold v in L.
       rewrite <- (row_motion i whole). fold p.
-      assert (N : value (middle (Box (table_of x) empty) (row p (N.of_nat j))) = motion P (numbers x) j).
-      { unfold middle, motion. rewrite value_add, sum_of_value. cbn [constant_part linear_part row center_of].
-        unfold p, P. rewrite (row_linear i whole), (row_constant i). rewrite Rplus_comm. f_equal.
-        apply sum_ext. intros t _. unfold values. rewrite table_of_value. reflexivity. }
-      rewrite N. set (e := eval _ v) in *.
+      rewrite middle_motion. set (e := eval _ v) in *.
       replace (e - motion P (numbers x) j)
         with ((value (middle b (row p (N.of_nat j))) - motion P (numbers x) j) + (e - value (middle b (row p (N.of_nat j))))) by ring.
-      eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat_l. exact M.
+      eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat_l. exact L.
   Qed.
 
   Theorem check_enclosure_sound x rho eta modes center radius pinned dropped inverse :
@@ -396,10 +416,7 @@ Section Instance.
     intros H. unfold check_eps in H. split_and H.
     set (X := numbers point). set (w := numbers motions).
     set (c := fun j => w j - sum (size P) (fun k => matrix P j k * X k)).
-    assert (Mid : forall j, value (middle (Box (table_of point) empty) (row p (N.of_nat j))) = motion P X j).
-    { intros j. unfold middle, motion. rewrite value_add, sum_of_value. cbn [constant_part linear_part row center_of].
-      unfold p, P. rewrite (row_linear i whole), (row_constant i). rewrite Rplus_comm. f_equal.
-      apply sum_ext. intros t _. unfold values. rewrite table_of_value. reflexivity. }
+    assert (Mid := middle_motion point). fold X in Mid.
     assert (M : forall j, motion (with_constant P c) X j = w j) by (intros j; unfold motion, with_constant, c, size; cbn; lra).
     rewrite forallb_forall in H0.
     assert (Near : forall j, (j < size P)%nat -> In (N.of_nat j) (range 0 (N.to_nat (t_size p)))).

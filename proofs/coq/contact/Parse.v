@@ -1,107 +1,10 @@
 (** Reads certificates. Nothing rests on it: what was read is written and compared with the text. *)
 From Coq Require Import Ascii String NArith ZArith List Bool FMapPositive.
 From Slipproof Require Import Text.
-From Slipproof.contact Require Import Coulomb Number Linear Zero Certificate Checker.
+From Slipproof.contact Require Import Coulomb Number Linear Zero Certificate Checker Motions Read.
 Import ListNotations.
 Local Open Scope string_scope.
 Local Open Scope N_scope.
-
-(** What was read, and the tokens that follow. *)
-Definition reader (A : Type) := list string -> option (A * list string).
-
-Definition word (s : string) : reader unit := fun ts =>
-  match ts with t :: r => if (t =? s)%string then Some (tt, r) else None | [] => None end.
-
-Definition at_word (s : string) (ts : list string) : bool := match ts with t :: _ => (t =? s)%string | [] => false end.
-
-Definition index : reader N := fun ts =>
-  match ts with t :: r => require at_most 19 t in let* n := natural t in Some (n, r) | [] => None end.
-
-Definition index_below (n : N) : reader N := fun ts =>
-  let* x := index ts in require N.ltb (fst x) n in Some x.
-
-(** How many of something follow, at most half the size of the file. *)
-Definition counted (most : N) : reader N := index_below (N.succ most).
-
-Definition one_number : reader number := fun ts =>
-  match ts with t :: r => let* x := number_of t in Some (x, r) | [] => None end.
-
-Fixpoint some_numbers (n : N) (done : list number) (ts : list string) : option (list number * list string) :=
-  if n =? 0 then Some (rev' done, ts) else
-  match ts with t :: r => let* x := number_of t in some_numbers (N.pred n) (x :: done) r | [] => None end.
-
-Definition numbers_after (s : string) (n : N) : reader (list number) := fun ts =>
-  let* x := word s ts in some_numbers n [] (snd x).
-
-Fixpoint some_entries (n rows columns : N) (seen : PositiveMap.t unit) (done : list (N * N * number)) (ts : list string) :
-    option (list (N * N * number) * list string) :=
-  if n =? 0 then Some (rev' done, ts) else
-  match ts with
-  | a :: b :: c :: r =>
-      let* i := index_below rows [a] in let* j := index_below columns [b] in let* x := number_of c in
-      let k := key (fst i * columns + fst j) in
-      require negb (PositiveMap.mem k seen) in
-      some_entries (N.pred n) rows columns (PositiveMap.add k tt seen) ((fst i, fst j, x) :: done) r
-  | _ => None
-  end.
-
-Definition matrix_after (s : string) (most rows columns : N) : reader (list (N * N * number)) := fun ts =>
-  let* x := word s ts in let* n := counted most (snd x) in
-  some_entries (fst n) rows columns (PositiveMap.empty unit) [] (snd n).
-
-Fixpoint some_indices (n below : N) (seen : PositiveMap.t unit) (done : list N) (ts : list string) : option (list N * list string) :=
-  if n =? 0 then Some (rev' done, ts) else
-  match ts with
-  | a :: r =>
-      let* i := index_below below [a] in
-      require negb (PositiveMap.mem (key (fst i)) seen) in
-      some_indices (N.pred n) below (PositiveMap.add (key (fst i)) tt seen) (fst i :: done) r
-  | [] => None
-  end.
-
-(** Columns and numbers. *)
-Fixpoint some_columns (n below : N) (seen : PositiveMap.t unit) (done : list (N * number)) (ts : list string) :
-    option (list (N * number) * list string) :=
-  if n =? 0 then Some (rev' done, ts) else
-  match ts with
-  | a :: b :: r =>
-      let* i := index_below below [a] in let* x := number_of b in
-      require negb (PositiveMap.mem (key (fst i)) seen) in
-      some_columns (N.pred n) below (PositiveMap.add (key (fst i)) tt seen) ((fst i, x) :: done) r
-  | _ => None
-  end.
-
-Definition row_of_columns (most below : N) : reader (list (N * number)) := fun ts =>
-  let* n := counted most ts in some_columns (fst n) below (PositiveMap.empty unit) [] (snd n).
-
-(** The fuel is a list that is longer than what can be read. *)
-Fixpoint some_dropped (fuel : list string) (most n below : N) (seen : PositiveMap.t unit) (done : list (N * list (N * number)))
-    (ts : list string) : option (list (N * list (N * number)) * list string) :=
-  if n =? 0 then Some (rev' done, ts) else
-  match fuel with
-  | [] => None
-  | _ :: fuel =>
-      let* i := index_below below ts in
-      require negb (PositiveMap.mem (key (fst i)) seen) in
-      let* c := row_of_columns most below (snd i) in
-      some_dropped fuel most (N.pred n) below (PositiveMap.add (key (fst i)) tt seen) ((fst i, fst c) :: done) (snd c)
-  end.
-
-Definition one_mode (d : N) (m : number) (t : string) : option mode :=
-  let friction := N.ltb 1 d && negb (is_zero m) in
-  if (t =? "open")%string then Some Open else
-  if (t =? "touch")%string then Some Touch else
-  if (t =? "stick")%string then Some Stick else
-  if ((t =? "slide")%string && friction && (d =? 3)) then Some Slide else
-  if ((t =? "slide+")%string && friction && (d =? 2)) then Some SlidePlus else
-  if ((t =? "slide-")%string && friction && (d =? 2)) then Some SlideMinus else None.
-
-Fixpoint some_modes (d : N) (mus : list number) (done : list mode) (ts : list string) : option (list mode * list string) :=
-  match mus, ts with
-  | [], _ => Some (rev' done, ts)
-  | m :: mus, t :: r => let* s := one_mode d m t in some_modes d mus (s :: done) r
-  | _, [] => None
-  end.
 
 Section Claims.
   Variables (i : instance) (most : N).
@@ -112,13 +15,10 @@ Section Claims.
     let* x := numbers_after "point" n (snd m) in let* w := numbers_after "motion" n (snd x) in
     Some (Eps (fst b) (fst m) (fst x) (fst w), snd w).
 
-  (** What enclosures and balls have in common, and how many unknowns and equations are left. *)
-  Definition read_near : reader ((number * option number * list mode * list number * list number * list N
-      * list (N * list (N * number))) * (N * N)) := fun ts =>
-    let* rho := one_number ts in
-    let* eta := (if at_word "velocities" (snd rho)
-                 then let* e := one_number (tl (snd rho)) in Some (Some (fst e), snd e) else Some (None, snd rho)) in
-    let* _m := word "modes" (snd eta) in
+  (** What enclosures, balls and boxes of motions have in common, and how many unknowns and equations are left. *)
+  Definition read_box (i : instance) : reader ((list mode * list number * list number * list N * list (N * list (N * number)))
+      * (N * N)) := fun ts =>
+    let* _m := word "modes" ts in
     let* modes := some_modes (dim i) (frictions i) [] (snd _m) in
     let count := N.of_nat (List.length (unknowns (tables_of i) (fst modes))) in
     let* z := numbers_after "center" count (snd modes) in
@@ -129,19 +29,26 @@ Section Claims.
     let* _d := word "dropped" (snd pinned) in
     let* nd := counted most (snd _d) in
     let* dropped := some_dropped (snd nd) most (fst nd) count (PositiveMap.empty unit) [] (snd nd) in
-    Some ((fst rho, fst eta, fst modes, fst z, fst p, fst pinned, fst dropped, (count - fst np, count - fst nd)), snd dropped).
+    Some ((fst modes, fst z, fst p, fst pinned, fst dropped, (count - fst np, count - fst nd)), snd dropped).
+
+  Definition read_distance : reader (number * option number) := fun ts =>
+    let* rho := one_number ts in
+    if at_word "velocities" (snd rho)
+    then let* e := one_number (tl (snd rho)) in Some ((fst rho, Some (fst e)), snd e) else Some ((fst rho, None), snd rho).
 
   Definition read_enclosure : reader body := fun ts =>
-    match read_near ts with
-    | Some ((rho, eta, modes, z, p, pinned, dropped, (free_, kept)), r) =>
+    let* distance := read_distance ts in let (rho, eta) := fst distance in
+    match read_box i (snd distance) with
+    | Some ((modes, z, p, pinned, dropped, (free_, kept)), r) =>
         let* a := matrix_after "inverse" most free_ kept r in
         Some (Enclosure rho eta modes z p pinned dropped (fst a), snd a)
     | None => None
     end.
 
   Definition read_ball : reader body := fun ts =>
-    match read_near ts with
-    | Some ((rho, eta, modes, z, p, pinned, dropped, (free_, kept)), r) =>
+    let* distance := read_distance ts in let (rho, eta) := fst distance in
+    match read_box i (snd distance) with
+    | Some ((modes, z, p, pinned, dropped, (free_, kept)), r) =>
         let* rows := numbers_after "rows" kept r in
         let* _s := word "least" (snd rows) in let* s := one_number (snd _s) in
         let* _f := word "defect" (snd s) in let* f := one_number (snd _f) in
@@ -151,10 +58,97 @@ Section Claims.
     | None => None
     end.
 
+  (** All motions *)
+  Let small := Instance (dim i) 0 (frictions i) [] [] None.
+  Let k := N.of_nat (List.length (frictions i)).
+  Let forces := dim i * k.
+
+  Definition read_distances : reader (option (list number)) := fun ts =>
+    if at_word "within" ts then let* e := some_numbers forces [] (tl ts) in Some (Some (fst e), snd e) else Some (None, ts).
+
+  Definition read_listed : reader listed := fun ts =>
+    let* _m := word "motion" ts in
+    if at_word "exact" (snd _m) then
+      let* r := some_numbers forces [] (tl (snd _m)) in let* e := read_distances (snd r) in
+      Some (Exact (fst r) (fst e), snd e)
+    else
+      let* _b := word "box" (snd _m) in
+      match read_box small (snd _b) with
+      | Some ((modes, z, p, pinned, dropped, (free_, kept)), r) =>
+          let* a := matrix_after "inverse" most free_ kept r in
+          let box := Boxed modes z p pinned dropped (fst a) in
+          if at_word "alone" (snd a) then let* l := one_number (tl (snd a)) in Some (box (Alone (fst l)), snd l) else
+          let* e := read_distances (snd a) in
+          Some (box (match fst e with Some e => Within e | None => Bare end), snd e)
+      | None => None
+      end.
+
+  Fixpoint some_listed (fuel : list string) (n : N) (done : list listed) (ts : list string) : option (list listed * list string) :=
+    if n =? 0 then Some (rev' done, ts) else
+    match fuel with
+    | [] => None
+    | _ :: fuel => let* m := read_listed ts in some_listed fuel (N.pred n) (fst m :: done) (snd m)
+    end.
+
+  Fixpoint some_directions (n : N) (done : list direction) (ts : list string) : option (list direction * list string) :=
+    if n =? 0 then Some (rev' done, ts) else
+    match ts with
+    | a :: b :: r => let* x := number_of a in let* y := number_of b in some_directions (N.pred n) ((x, y) :: done) r
+    | _ => None
+    end.
+
+  Definition directions_of : reader (list direction) := fun ts =>
+    let* n := counted most ts in some_directions (fst n) [] (snd n).
+
+  Fixpoint some_multipliers (fuel : list bound) (done : list (list number)) (ts : list string) :
+      option (list (list number) * list string) :=
+    match fuel with
+    | [] => Some (rev' done, ts)
+    | _ :: fuel => let* y := some_numbers forces [] ts in some_multipliers fuel (fst y :: done) (snd y)
+    end.
+
+  (** How many multipliers a known case has depends on its pattern. *)
+  Definition read_node (motions : PositiveMap.t listed) (count : N) (s : pattern) : reader node := fun ts =>
+    if at_word "decide" ts then let* k := index_below k (tl ts) in Some (Decide (fst k), snd k) else
+    if at_word "slips" ts then
+      let* k := index_below k (tl ts) in
+      if N.ltb (dim i) 3 then Some (Slips (fst k) [], snd k)
+      else let* l := directions_of (snd k) in Some (Slips (fst k) (fst l), snd l)
+    else
+    if at_word "arcs" ts then
+      let* k := index_below k (tl ts) in let* l := directions_of (snd k) in Some (Arcs (fst k) (fst l), snd l) else
+    if at_word "empty" ts then let* y := some_numbers forces [] (tl ts) in Some (Empty (fst y), snd y) else
+    let* _k := word "known" ts in
+    let* m := index_below count (snd _k) in
+    let* ys := some_multipliers (bounds_of (tables_of small) s (look (Exact [] None) motions (fst m))) [] (snd m) in
+    Some (Known (fst m) (fst ys), snd ys).
+
+  Fixpoint some_nodes (fuel : list string) (motions : PositiveMap.t listed) (count : N) (patterns : list pattern) (done : list node)
+      (ts : list string) : option (list node * list string) :=
+    match patterns with
+    | [] => Some (rev' done, ts)
+    | s :: rest =>
+        match fuel with
+        | [] => None
+        | _ :: fuel =>
+            let* n := read_node motions count s ts in
+            some_nodes fuel motions count (children (dim i) (fst n) s ++ rest) (fst n :: done) (snd n)
+        end
+    end.
+
+  Definition read_all_solutions : reader body := fun ts =>
+    let* m := counted most ts in
+    let* b := (if frees i =? 0 then Some (None, snd m)
+               else let* b := matrix_after "eliminated" most (frees i) (frees i) (snd m) in Some (Some (fst b), snd b)) in
+    let* l := some_listed ts (fst m) [] (snd b) in
+    let* t := some_nodes ts (tabulate 0 (fst l) (PositiveMap.empty listed)) (fst m) [PositiveMap.empty state] [] (snd l) in
+    Some (AllSolutions (fst b) (fst l) (fst t), snd t).
+
   Definition read_claim : reader body := fun ts =>
     if at_word "eps" ts then read_eps (tl ts) else
     if at_word "enclosure" ts then read_enclosure (tl ts) else
     if at_word "ball" ts then read_ball (tl ts) else
+    if at_word "all-solutions" ts then read_all_solutions (tl ts) else
     if at_word "none-within" ts then let* rho := one_number (tl ts) in Some (NoneWithin (fst rho), snd rho) else
     if at_word "no-solution" ts then let* y := numbers_after "multipliers" n (tl ts) in Some (NoSolution (fst y), snd y) else
     if at_word "unique" ts && at_word "definite" (tl ts)
@@ -165,7 +159,7 @@ End Claims.
 
 (** Claims that this checker does not know. *)
 Definition unknown_claim (ts : list string) : bool :=
-  at_word "every-solution" ts || at_word "all-solutions" ts
+  at_word "every-solution" ts
   || (at_word "unique" ts && existsb (fun w => at_word w (tl ts)) ["bound"; "determinants"]).
 
 Inductive outcome := Unreadable | NotCovered | Claims (l : list body).
@@ -258,6 +252,7 @@ Definition check_body (i : instance) (p : tables) (b : body) : bool :=
   | NoSolution y, _ => check_no_solution p y
   | Dominant d, _ => check_dominant p d
   | Definite l, _ => check_definite p (entries i) l
+  | AllSolutions eliminated motions tree, _ => check_all_solutions i eliminated motions tree
   | _, None => false
   end.
 

@@ -76,6 +76,68 @@ Section Instance.
   Proof. unfold table_of, get, empty. rewrite look_list, Nat2N.id. reflexivity. Qed.
 End Instance.
 
+Lemma whole_complete i : is_whole i = true -> complete i.
+Proof.
+  intros W. assert (S := size_is i). unfold is_whole in W. split_and W.
+  change (size_of_instance i) with (t_size (tables_of i)) in *. apply N.eqb_eq in W.
+  split; [lia|]. split; [|split].
+  - intros x E. rewrite E in H1. apply N.eqb_eq in H1. lia.
+  - intros k m a I. rewrite forallb_forall in H0. specialize (H0 _ I). cbv beta iota in H0.
+    apply andb_prop in H0. destruct H0 as [A B]. apply N.ltb_lt in A. apply N.ltb_lt in B. lia.
+  - apply distinct_NoDup in H. apply (NoDup_map_inv (fun e => fst e * t_size (tables_of i) + snd e)%N).
+    rewrite map_map. erewrite map_ext; [exact H|]. intros [[k m] a]. reflexivity.
+Qed.
+
+(** The sizes of a row's coefficients. *)
+Lemma apply_abs_by_rows l i v : apply_abs (look [] (by_rows l) i) v
+  = fold_right (fun e s => match e with (k, j, a) => if N.eq_dec k i then Rabs (value a) * v j + s else s end) 0 l.
+Proof.
+  unfold by_rows.
+  assert (G : forall m, apply_abs (look [] (List.fold_left
+      (fun m e => match e with (i, j, a) => PositiveMap.add (key i) ((j, a) :: look [] m i) m end) l m) i) v
+    = apply_abs (look [] m i) v + fold_right (fun e s =>
+        match e with (k, j, a) => if N.eq_dec k i then Rabs (value a) * v j + s else s end) 0 l).
+  { induction l as [|[[k j] a] l IH]; intros m; cbn [List.fold_left fold_right]; [lra|].
+    rewrite IH, look_add. destruct (N.eq_dec i k) as [->|D].
+    - destruct (N.eq_dec k k); [cbn; lra | contradiction].
+    - destruct (N.eq_dec k i); [congruence | reflexivity]. }
+  rewrite G, look_empty. cbn. lra.
+Qed.
+
+Lemma entry_absent l i j : ~ In (N.of_nat i, N.of_nat j) (map fst l) -> entry l i j = 0.
+Proof.
+  induction l as [|[[k m] a] l IH]; intros A; [reflexivity|]. unfold entry in *. cbn [fold_right map fst] in *.
+  rewrite IH by (intros I; apply A; right; exact I).
+  destruct (Nat.eqb_spec (N.to_nat k) i), (Nat.eqb_spec (N.to_nat m) j); try reflexivity.
+  exfalso. apply A. left. f_equal; lia.
+Qed.
+
+Lemma row_sizes i k v : is_whole i = true -> apply_abs (look [] (t_rows (tables_of i)) (N.of_nat k)) v
+  = sum (size (problem_of i)) (fun j => Rabs (matrix (problem_of i) k j) * v (N.of_nat j)).
+Proof.
+  intros W. destruct (whole_complete i W) as [_ [_ [C ND]]]. set (n := size (problem_of i)) in *.
+  change (matrix (problem_of i)) with (entry (entries i)). unfold tables_of; cbn [t_rows].
+  rewrite apply_abs_by_rows. revert C ND. generalize (entries i) as l.
+  induction l as [|[[r m] a] l IH]; intros C ND.
+  - cbn. rewrite sum_zero; [reflexivity|]. intros j _. rewrite Rabs_R0. ring.
+  - cbn [map fst] in ND. inversion ND as [|? ? A ND']; subst. cbn [fold_right].
+    rewrite IH by (try exact ND'; intros k' m' a' I; apply (C k' m' a'); right; exact I).
+    assert (M := proj2 (C r m a (or_introl eq_refl))).
+    destruct (N.eq_dec r (N.of_nat k)) as [->|D].
+    + rewrite (sum_ext n (fun j => Rabs (entry ((N.of_nat k, m, a) :: l) k j) * v (N.of_nat j))
+        (fun j => (if Nat.eqb (N.to_nat m) j then Rabs (value a) else 0) * v (N.of_nat j) + Rabs (entry l k j) * v (N.of_nat j))).
+      * rewrite sum_plus.
+        rewrite (sum_single n (N.to_nat m) (fun j => (if Nat.eqb (N.to_nat m) j then Rabs (value a) else 0) * v (N.of_nat j)));
+          [|exact M|].
+        -- rewrite Nat.eqb_refl, N2Nat.id. reflexivity.
+        -- intros j _ J. destruct (Nat.eqb_spec (N.to_nat m) j); [congruence | ring].
+      * intros j _. unfold entry at 1. cbn [fold_right]. fold (entry l k j). rewrite Nat2N.id, Nat.eqb_refl. cbn [andb].
+        destruct (Nat.eqb_spec (N.to_nat m) j) as [<-|J]; [|ring].
+        rewrite entry_absent by (rewrite N2Nat.id; exact A). rewrite Rplus_0_r, Rabs_R0. ring.
+    + apply sum_ext. intros j _. unfold entry at 2. cbn [fold_right]. fold (entry l k j).
+      destruct (Nat.eqb_spec (N.to_nat r) k); [lia | reflexivity].
+Qed.
+
 (** The contacts in the tables are those of the problem. *)
 Lemma layout_In d at_ slip_ mus modes k :
   length modes = length mus -> (k < length mus)%nat ->

@@ -1,20 +1,8 @@
 (** What the checker accepts is true. *)
 From Coq Require Import NArith Reals List Bool String Lia Lra FMapPositive.
 From Slipproof.contact Require Import Coulomb Number Fixed Linear Zero Certificate Checker Rows Law Enclose Refute.
-From Slipproof.contact Require Import Unique Definite Ball Parse.
+From Slipproof.contact Require Import Unique Definite Ball AllMotions Read Parse.
 Import ListNotations.
-
-Lemma whole_complete i : is_whole i = true -> complete i.
-Proof.
-  intros W. assert (S := size_is i). unfold is_whole in W. split_and W.
-  change (size_of_instance i) with (t_size (tables_of i)) in *. apply N.eqb_eq in W.
-  split; [lia|]. split; [|split].
-  - intros x E. rewrite E in H1. apply N.eqb_eq in H1. lia.
-  - intros k m a I. rewrite forallb_forall in H0. specialize (H0 _ I). cbv beta iota in H0.
-    apply andb_prop in H0. destruct H0 as [A B]. apply N.ltb_lt in A. apply N.ltb_lt in B. lia.
-  - apply distinct_NoDup in H. apply (NoDup_map_inv (fun e => fst e * t_size (tables_of i) + snd e)%N).
-    rewrite map_map. erewrite map_ext; [exact H|]. intros [[k m] a]. reflexivity.
-Qed.
 
 Lemma check_body_sound i b : is_whole i = true -> is_proper i = true -> check_body i (tables_of i) b = true -> meaning i b.
 Proof.
@@ -39,6 +27,8 @@ Proof.
   - apply (check_dominant_sound i W F) in H. exact H.
   - apply (check_definite_sound i W F) in H. exact H.
   - apply (check_definite_sound i W F) in H. exact H.
+  - apply (check_all_solutions_sound i W F) in H. exact H.
+  - apply (check_all_solutions_sound i W F) in H. exact H.
 Qed.
 
 (** The theorem for data instead of a text. *)

@@ -97,7 +97,20 @@ let decimal number =
     Printf.sprintf "%c.%se%d" shown.[0] (String.sub shown 1 (String.length shown - 1)) !exponent
   end
 
-let claim_in_words = function
+(* What Different.v proves of accepted motions. *)
+let motions_in_words about eliminated motions =
+  let count = List.length motions in
+  let different = are_different about eliminated motions and reach = greatest_reach about eliminated motions in
+  let all = string_of_int count in
+  if count = 0 then "no motion at all"
+  else if Rational.sign (rational reach) > 0 then
+    "at least " ^ (if count > 1 && different then all ^ " motions" else "one motion")
+    ^ ", and every motion is within " ^ decimal reach ^ " of one of " ^ all
+  else if count = 1 then "one motion and no other"
+  else if different then all ^ " motions and no others"
+  else "at least one motion and at most " ^ all
+
+let claim_in_words about = function
   | Eps (bound, moved, _, _) ->
       "a solution of a problem whose constant differs by at most " ^ decimal bound ^ ", within " ^ decimal moved ^ " of the answer"
   | NoneWithin rho -> "no solution within " ^ decimal rho ^ " of the answer"
@@ -107,6 +120,7 @@ let claim_in_words = function
       ^ match eta with None -> "" | Some eta -> ", its velocities within " ^ decimal eta)
   | Dominant _ -> "one solution, whatever the constant, by a dominant matrix"
   | Definite _ -> "one solution, whatever the constant, by a definite matrix"
+  | AllSolutions (eliminated, motions, _) -> motions_in_words about eliminated motions
 
 let problem_in_words (i : instance) =
   Printf.sprintf "%d contacts in dimension %s%s" (List.length i.frictions) (Integer.to_string i.dim)
@@ -126,7 +140,7 @@ let judge_text asked text =
         | _ when asked <> "" && asked <> own -> ("rejected", "it is about another problem, " ^ own)
         | Accepted ->
             ( "accepted",
-              String.concat "; " (List.map claim_in_words c.claims)
+              String.concat "; " (List.map (claim_in_words c.about) c.claims)
               ^ ", " ^ problem_in_words c.about ^ ", "
               ^ (if named = None then "names no problem, has the numbers of " else "of the problem ")
               ^ own )
