@@ -12,6 +12,7 @@ using Kind = ContactState::Kind;
 
 constexpr double narrow_arc = 0x1p-8;      ///< arc, in radians: it is not cut off any more, but halved
 constexpr double narrowest_arc = 0x1p-30;  ///< arc that is split
+constexpr std::size_t most_shrunk = 2;     ///< arcs of a pattern that are tried, the widest
 constexpr int direction_bits = 12;         ///< of an end of a wide arc; narrow ones have more
 
 /// A direction strictly within an arc, as near to an angle as the arc's width asks for.
@@ -132,11 +133,16 @@ double violation(const FloatingContacts& contacts, std::size_t k, const Proposed
 }
 
 std::optional<ShrunkArc> shrink_an_arc(const ContactPattern& pattern, PatternProgram& program) {
-  std::optional<ShrunkArc> result;
-  double best = 0.75;
+  std::vector<std::size_t> arcs;
   for (std::size_t k = 0; k < pattern.size(); ++k) {
     const ContactState& state = pattern[k];
-    if (state.kind != Kind::slip || state.from == state.to || state.width() < narrow_arc) continue;
+    if (state.kind == Kind::slip && !(state.from == state.to) && state.width() >= narrow_arc) arcs.push_back(k);
+  }
+  std::ranges::stable_sort(arcs, std::ranges::greater(), [&](std::size_t k) { return pattern[k].width(); });
+  arcs.resize(std::min(arcs.size(), most_shrunk));
+  std::optional<ShrunkArc> result;
+  double best = 0.75;
+  for (const std::size_t k : arcs) {
     const std::array<double, 2> left = program.directions(k);
     if (left[1] - left[0] >= best) continue;
     best = left[1] - left[0];

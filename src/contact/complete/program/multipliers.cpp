@@ -142,32 +142,55 @@ double PatternProgram::value_of(std::span<const double> y) const {
   return value;
 }
 
-std::vector<Rational> PatternProgram::strict_multipliers(const ProposedPoint& point) {
+/// Of a contact that slips or is open: minus its speed along the middle of the arc, or minus u_N, which is negative.
+ContactForm PatternProgram::reversed(std::size_t k) const {
+  const ContactState& state = pattern_[k];
+  const std::size_t i = contacts_.normal(k);
+  ContactForm form;
+  if (state.kind == Kind::open) form.u.emplace_back(i, Rational(-1));
+  if (state.kind != Kind::slip) return form;
+  const Rational a(state.from.length), b(state.to.length);
+  form.u.emplace_back(i + 1, -(Rational(state.from.x) / a + Rational(state.to.x) / b));
+  if (contacts_.dimension > 2) form.u.emplace_back(i + 2, -(Rational(state.from.y) / a + Rational(state.to.y) / b));
+  return form;
+}
+
+double PatternProgram::value_at(const ContactForm& form, const ProposedPoint& point) {
+  double value = 0;
+  for (const auto& [i, f] : form.u) value += f.to_double() * point.u[i];
+  return value;
+}
+
+std::vector<Rational> PatternProgram::strict_multipliers(ProposedPoint point) {
   constexpr double none = 1e-7;  // below which a point says that something may be impossible
+  // First all of them together: where one is possible, its program's point often shows that others are.
+  ContactForm all;
   for (std::size_t k = 0; k < pattern_.size(); ++k) {
-    const ContactState& state = pattern_[k];
-    const std::size_t i = contacts_.normal(k);
-    std::vector<Rational> y;
-    double speed = 0;
-    for (std::size_t t = 1; t < contacts_.dimension; ++t) speed += std::abs(point.u[i + t]);
-    if (state.kind == Kind::open && point.u[i] < none) y = excluded({{{i, Rational(-1)}}, {}});
-    if (state.kind == Kind::slip && speed < none) {
-      ContactForm back;  // against the middle of the arc
-      const Rational a(state.from.length), b(state.to.length);
-      back.u.emplace_back(i + 1, -(Rational(state.from.x) / a + Rational(state.to.x) / b));
-      if (contacts_.dimension > 2) back.u.emplace_back(i + 2, -(Rational(state.from.y) / a + Rational(state.to.y) / b));
-      y = excluded(back);
-    }
+    const ContactForm form = reversed(k);
+    if (value_at(form, point) > -none) all.u.insert(all.u.end(), form.u.begin(), form.u.end());
+  }
+  if (all.u.empty()) return {};
+  std::vector<Rational> y = excluded(all, &point);
+  if (!y.empty() && proves_empty(exact_, integers_, pattern_, y)) return y;
+  for (std::size_t k = 0; k < pattern_.size(); ++k) {
+    const ContactForm form = reversed(k);
+    if (form.u.empty() || value_at(form, point) <= -none) continue;
+    y = excluded(form, nullptr);
     if (!y.empty() && proves_empty(exact_, integers_, pattern_, y)) return y;
   }
   return {};
 }
 
-/// Multipliers that should prove that a form, which would be negative, is at least 0.
-std::vector<Rational> PatternProgram::excluded(const ContactForm& form) {
+/// Multipliers that should prove that a form, which would be negative, is at least 0. Where it is not, `least` gets a
+/// point at which it is least.
+std::vector<Rational> PatternProgram::excluded(const ContactForm& form, ProposedPoint* least) {
   const DenseForm dense(form, contacts_.size());
   auto y = least_duals(dense.f, dense.h, 0);
-  if (!y || program_->least() < -small) return {};
+  if (!y) return {};
+  if (program_->least() < -small) {
+    if (least != nullptr) *least = point();
+    return {};
+  }
   for (double& x : *y) x *= dense.size;
   return on_face(*y, form);
 }

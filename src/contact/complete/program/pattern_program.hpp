@@ -48,7 +48,7 @@ class PatternProgram {
   Feasibility feasibility();
   /// Multipliers that prove that there is no motion because a condition that holds strictly cannot: that a contact
   /// slips, or that it opens. Empty where it can. After feasibility(), where that found a point.
-  std::vector<Rational> strict_multipliers(const ProposedPoint& point);
+  std::vector<Rational> strict_multipliers(ProposedPoint point);
   /// Multipliers that prove that a form is at least `least`; empty where none were found. After feasibility(), where
   /// that found a point.
   std::vector<Rational> prove_least(const ContactForm& form, const Rational& least);
@@ -96,7 +96,9 @@ class PatternProgram {
   std::vector<Rational> proposed(const ContactForm& form, const Precision* precision, double& value);
   double value_of(std::span<const double> y) const;
   std::optional<double> least_slope(bool forces, std::size_t row, double middle, double side);
-  std::vector<Rational> excluded(const ContactForm& form);
+  ContactForm reversed(std::size_t contact) const;
+  static double value_at(const ContactForm& form, const ProposedPoint& point);
+  std::vector<Rational> excluded(const ContactForm& form, ProposedPoint* least);
   std::vector<Rational> on_face(std::span<const double> y, const ContactForm& form) const;
 
   static constexpr double small = 1e-9;            ///< what rounding may have made of 0
