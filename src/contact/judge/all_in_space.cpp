@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/number/binary64.hpp"
+#include "contact/complete/closing.hpp"
 
 namespace slipproof {
 
@@ -103,19 +104,71 @@ std::optional<SolutionTree> solution_tree(const MixedProblem& problem, Work effo
   return SolutionTree{all_solutions(contacts, options), std::move(inverse)};
 }
 
+namespace {
+
+/// Where the velocities of a motion's place are, in scaled units: of all that count as it.
+VelocityBox place_of(const CompleteSolutions& found, std::size_t m) {
+  VelocityBox place = VelocityBox::of(found.motions[m]);
+  for (std::size_t i = 0; i < found.within[m].size(); ++i) {
+    place.low[i] -= found.within[m][i];
+    place.high[i] += found.within[m][i];
+  }
+  return place;
+}
+
+std::vector<Range> ranges(const VelocityBox& box, const std::vector<Rational>& units) {
+  std::vector<Range> result;
+  for (std::size_t i = 0; i < box.low.size(); ++i) {
+    result.push_back({Rational(box.low[i] * units[i]), Rational(box.high[i] * units[i])});
+  }
+  return result;
+}
+
+/// Of each motion the one in whose place it is: itself, or the first other one.
+std::vector<std::size_t> hosts_of(const CompleteSolutions& found) {
+  std::vector<std::size_t> hosts;
+  for (std::size_t m = 0; m < found.motions.size(); ++m) {
+    hosts.push_back(m);
+    for (std::size_t h = 0; h < found.motions.size() && hosts[m] == m; ++h) {
+      const bool is_host = h != m && !found.within[h].empty() && (h > m || hosts[h] == h);
+      if (is_host && place_of(found, h).contains(VelocityBox::of(found.motions[m]))) hosts[m] = h;
+    }
+  }
+  for (std::size_t& host : hosts) {
+    while (hosts[host] != host) host = hosts[host];
+  }
+  return hosts;
+}
+
+FoundSolution solution_of(const CompleteSolutions& found, std::size_t m) {
+  const SpatialMotion& motion = found.motions[m];
+  const ScaledContacts& scaled = found.scaled;
+  FoundSolution solution;
+  solution.modes = {mode_text(motion.mode, scaled.contacts.dimension)};
+  solution.r = ranges(motion.r, motion.r_radius, scaled.force_unit);
+  solution.u = ranges(motion.u, motion.u_radius, scaled.velocity_unit);
+  if (!found.within[m].empty()) solution.around = ranges(place_of(found, m), scaled.velocity_unit);
+  solution.open_directions = motion.open_directions;
+  solution.strict = is_strict(scaled.contacts, motion);
+  solution.alone = found.within[m].empty() && (motion.is_exact() || !motion.alone.is_zero());
+  return solution;
+}
+
+}  // namespace
+
 AllSolutions all_solutions_of(const SolutionTree& tree) {
   const CompleteSolutions& found = tree.solutions;
-  const ScaledContacts& scaled = found.scaled;
   AllSolutions result;
-  result.dimension = scaled.contacts.dimension;
-  for (const SpatialMotion& motion : found.motions) {
-    FoundSolution& solution = result.solutions.emplace_back();
-    solution.modes = {mode_text(motion.mode, result.dimension)};
-    solution.r = ranges(motion.r, motion.r_radius, scaled.force_unit);
-    solution.u = ranges(motion.u, motion.u_radius, scaled.velocity_unit);
-    solution.open_directions = motion.open_directions;
-    solution.strict = is_strict(scaled.contacts, motion);
-    solution.alone = motion.is_exact() || !motion.alone.is_zero();
+  result.dimension = found.scaled.contacts.dimension;
+  const std::vector<std::size_t> hosts = hosts_of(found);
+  for (std::size_t m = 0; m < hosts.size(); ++m) {
+    if (hosts[m] != m) continue;
+    FoundSolution& solution = result.solutions.emplace_back(solution_of(found, m));
+    for (std::size_t other = 0; other < hosts.size(); ++other) {
+      if (other == m || hosts[other] != m) continue;
+      solution.others.push_back(solution_of(found, other).u);
+      solution.open_directions = std::max(solution.open_directions, found.motions[other].open_directions);
+    }
   }
   for (const PatternNode& node : found.nodes) {
     if (node.end == PatternNode::End::undecided) {

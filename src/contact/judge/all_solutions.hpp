@@ -18,12 +18,16 @@ struct FoundSolution {
   /// Forces and velocities of the contacts, without free unknowns, by contact and component. Where they are known
   /// exactly, each range is a point. Of a family: one of its solutions, the nearest to the answer if one is given.
   std::vector<Range> r, u;
+  /// Velocities of all solutions that count as this one, if they are not all those of `u`; and velocities of others
+  /// among them, which differ for sure: then they are a continuum that moves in different ways.
+  std::vector<Range> around;
+  std::vector<std::vector<Range>> others;
   std::size_t open_directions = 0;  ///< of a family: along how many directions there are others
   bool strict = false;              ///< no condition of one of its modes holds with equality
   bool exists = true;               ///< it is proved that a solution is within r and u
   bool alone = true;                ///< and that no other is, but those of its family
 
-  bool is_family() const { return open_directions > 0; }
+  bool is_family() const { return open_directions > 0 || !others.empty(); }
 };
 
 struct AllSolutions {

@@ -22,15 +22,19 @@ void add_solutions(const AllSolutions& all, Json& to) {
   to["found"] = Json::array();
   for (const FoundSolution& s : all.solutions) {
     if (s.is_family()) continue;
-    to["found"].push_back({{"modes", s.modes},
-                           {"status", s.strict ? "strict" : "boundary"},
-                           {"z", ranges_json(s.r)},
-                           {"w", ranges_json(s.u)}});
+    Json entry{{"modes", s.modes},
+               {"status", s.strict ? "strict" : "boundary"},
+               {"z", ranges_json(s.r)},
+               {"w", ranges_json(s.u)}};
+    if (!s.around.empty()) entry["all_w"] = ranges_json(s.around);
+    to["found"].push_back(std::move(entry));
   }
   for (const FoundSolution& s : all.solutions) {
     if (!s.is_family()) continue;
     Json entry{{"mode", s.modes.front()}, {"parameters", s.open_directions}, {"nearest_z", ranges_json(s.r)}};
-    if (all.dimension == 3) entry["w"] = ranges_json(s.u);  // one motion, by other forces
+    if (all.dimension == 3) entry["w"] = ranges_json(s.u);  // one motion, by other forces, if there are no others
+    if (!s.around.empty()) entry["all_w"] = ranges_json(s.around);
+    for (const auto& other : s.others) entry["others"].push_back(ranges_json(other));
     to["continua"].push_back(std::move(entry));
   }
 }

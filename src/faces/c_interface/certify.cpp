@@ -39,6 +39,7 @@ Options options_of(const slipproof_certify_options* given) {
     options.scene.effort = options.exact.effort = options.enclosure.judge.effort = given->effort;
   }
   options.enclosure.judge.refine = given->refine != 0;
+  options.enclosure.judge.all = given->all != 0;
   return options;
 }
 

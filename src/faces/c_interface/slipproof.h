@@ -152,6 +152,7 @@ typedef struct slipproof_certify_options {
   double backward_tolerance; /* for problems in space or beyond 64 components; NaN: same as `tolerance` */
   uint64_t effort;           /* about how many operations on words are allowed; 0: the usual, a second or two */
   int refine;                /* look for a solution near an answer even if the answer is wrong */
+  int all;                   /* find all solutions in space, with a proof that there are no others: `all` of `json` */
 } slipproof_certify_options;
 
 typedef struct slipproof_verdict slipproof_verdict;

@@ -165,12 +165,13 @@ class Judged {
   std::shared_ptr<const JudgedProblem> problem_;
 };
 
-ContactFileOptions options_of(double tolerance, std::optional<double> within, bool refine,
+ContactFileOptions options_of(double tolerance, std::optional<double> within, bool refine, bool all,
                               const std::optional<std::string>& law, std::optional<Work> effort) {
   ContactFileOptions options;
   options.judge.tolerance = tolerance;
   options.judge.within = within;
   options.judge.refine = refine;
+  options.judge.all = all;
   if (law) options.law = law_called(*law);
   if (effort) options.judge.effort = *effort;
   return options;

@@ -69,6 +69,20 @@ std::string apart_words(const AllSolutions& all, std::vector<Range> FoundSolutio
                      place_words(where / all.dimension, 0));
 }
 
+/// What is known of the velocities of all that count as a solution: of a continuum that moves differently, or of
+/// solutions so near that they were not told apart.
+std::string around_words(const FoundSolution& solution, const ContactUnits& units) {
+  Rational most;
+  for (const Range& range : solution.around) most = std::max(most, Rational(*range.upper - *range.lower));
+  const std::string width = at_most(enclose(most).upper) + (units.velocity.empty() ? "" : " " + units.velocity);
+  if (solution.others.empty()) {
+    return fmt::format(" Solutions that were not told apart from {} have velocities within {} of each other.",
+                       modes_words(solution), width);
+  }
+  return fmt::format(" Along the continuum at {} velocities change: {} of its motions are proved, all are within {}.",
+                     modes_words(solution), solution.others.size() + 1, width);
+}
+
 /// How many solutions there are, in which modes, and how they differ.
 std::string solutions_words(const AllSolutions& all, const ContactUnits& units) {
   if (all.none()) return "It is proved that there is no solution.";
@@ -86,6 +100,9 @@ std::string solutions_words(const AllSolutions& all, const ContactUnits& units) 
   }
   if (all.solutions.size() > shown) text += fmt::format(" and {} more", all.solutions.size() - shown);
   text = "The problem has " + text + '.';
+  for (const FoundSolution& solution : all.solutions) {
+    if (!solution.around.empty()) text += around_words(solution, units);
+  }
   if (all.solutions.size() < 2) return text;
   const std::string members = families > 0 ? " (of a continuum the one nearest to the answer)" : "";
   return text + fmt::format(" Their forces {}, their velocities {}{}.",

@@ -155,6 +155,19 @@ static void answers_are_judged(void) {
   }
 }
 
+static void all_solutions_are_found(void) {
+  static const double W[] = {1.25, 1, 0, 1, 5, 0, 0, 0, 5.0625}, q[] = {0.09375, 3.375, 2.09375}, mu[] = {1.75};
+  static const double lifts[] = {0, 0, 0};
+  const slipproof_problem problem = {3, 3, W, q, mu, lifts, NULL};
+  const slipproof_certify_options options = {NAN, NAN, 0, 0, 1};
+  slipproof_verdict* verdict = NULL;
+  expect(slipproof_certify(&problem, &options, &verdict, NULL) == SLIPPROOF_OK, "all solutions are found");
+  const slipproof_judgement found = slipproof_verdict_judgement(verdict);
+  expect(strcmp(found.verdict, "ambiguous") == 0, "lifting is one of several");
+  expect(strstr(found.json, "\"solutions\":3") != NULL, "lift, stick and slip");
+  slipproof_verdict_free(verdict);
+}
+
 static void mistakes_have_places(void) {
   slipproof_solution* solution = NULL;
   slipproof_error* error = NULL;
@@ -182,6 +195,7 @@ int main(void) {
   motions_are_certified_as_answers();
   a_bicycle_outside_the_domain_is_refused();
   answers_are_judged();
+  all_solutions_are_found();
   mistakes_have_places();
   return failures;
 }

@@ -74,6 +74,18 @@ def test_a_batch_is_its_problems():
     assert found[2:4][1] == found[3]
 
 
+def test_all_solutions_in_space():
+    W, q = [[1.25, 1, 0], [1, 5, 0], [0, 0, 5.0625]], [0.09375, 3.375, 2.09375]  # a leaning body
+    found = slipproof.certify(W, q, mu=1.75, all=True)
+    assert [s["modes"] for s in found.solutions] == [["lift"], ["stick"], ["slip"]]
+    assert found.solutions[0]["w"] == ["3/32", "27/8", "67/32"]
+    assert "all-solutions 3" in found.certificate()
+    assert slipproof.certify(W, q, [0, 0, 0], mu=1.75, all=True).verdict == "ambiguous"
+    assert slipproof.certify(W, q, [0, 0, 0], mu=0.25, all=True).verdict == "unique"
+    with pytest.raises(AttributeError, match="no solutions"):
+        slipproof.certify(W, q, [0, 0, 0], mu=0.25).solutions
+
+
 def test_friction_in_the_plane_and_in_space():
     W = np.eye(2)
     assert slipproof.certify(W, [-9.81, 0.5], [9.81, -0.5], 0.3).verdict == "certified"

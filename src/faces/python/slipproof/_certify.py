@@ -71,8 +71,8 @@ def certify(W: Any, q: Sequence[Number], z: Any = None, mu: Any = None, *, w: An
             dimension: Optional[int] = None,
             tolerance: Optional[float] = None, law: str = "cone", bounds: Any = None, compliance: Any = None,
             bias: Any = None, slip_speed: Optional[float] = None, function: str = "linear", refine: bool = False,
-            within: Optional[float] = None, method: str = "auto", effort: Optional[int] = None, threads: int = 0,
-            progress: Progress = None) -> Verdict: ...
+            all: bool = False, within: Optional[float] = None, method: str = "auto", effort: Optional[int] = None,
+            threads: int = 0, progress: Progress = None) -> Verdict: ...
 
 
 @overload
@@ -80,8 +80,8 @@ def certify(W: Any, q: Sequence[Sequence[Number]], z: Any = None, mu: Any = None
             dimension: Optional[int] = None,
             tolerance: Optional[float] = None, law: str = "cone", bounds: Any = None, compliance: Any = None,
             bias: Any = None, slip_speed: Optional[float] = None, function: str = "linear", refine: bool = False,
-            within: Optional[float] = None, method: str = "auto", effort: Optional[int] = None, threads: int = 0,
-            progress: Progress = None) -> Verdicts: ...
+            all: bool = False, within: Optional[float] = None, method: str = "auto", effort: Optional[int] = None,
+            threads: int = 0, progress: Progress = None) -> Verdicts: ...
 
 
 @overload
@@ -89,15 +89,15 @@ def certify(W: Any, q: "npt.NDArray[Any]", z: Any = None, mu: Any = None, *, w: 
             dimension: Optional[int] = None,
             tolerance: Optional[float] = None, law: str = "cone", bounds: Any = None, compliance: Any = None,
             bias: Any = None, slip_speed: Optional[float] = None, function: str = "linear", refine: bool = False,
-            within: Optional[float] = None, method: str = "auto", effort: Optional[int] = None, threads: int = 0,
-            progress: Progress = None) -> Any: ...
+            all: bool = False, within: Optional[float] = None, method: str = "auto", effort: Optional[int] = None,
+            threads: int = 0, progress: Progress = None) -> Any: ...
 
 
 def certify(W: Any, q: Any, z: Any = None, mu: Any = None, *, w: Any = None, dimension: Optional[int] = None,
             tolerance: Optional[float] = None, law: str = "cone", bounds: Any = None, compliance: Any = None,
             bias: Any = None, slip_speed: Optional[float] = None, function: str = "linear", refine: bool = False,
-            within: Optional[float] = None, method: str = "auto", effort: Optional[int] = None, threads: int = 0,
-            progress: Progress = None) -> Union[Verdict, Verdicts]:
+            all: bool = False, within: Optional[float] = None, method: str = "auto", effort: Optional[int] = None,
+            threads: int = 0, progress: Progress = None) -> Union[Verdict, Verdicts]:
     """Is z an answer to the contact problem w = W z + q, and the only one?
 
     Without ``mu`` this is a linear complementarity problem: z >= 0, w >= 0, z . w = 0. With ``mu`` the contacts have
@@ -114,7 +114,8 @@ def certify(W: Any, q: Any, z: Any = None, mu: Any = None, *, w: Any = None, dim
     (``unique``, ``solution within rho``, ``inaccurate``, ``eps-solution``, ``wrong``, ...). ``auto`` uses ``exact`` if
     it can. ``tolerance`` (default 1e-6) limits the distance from a solution: forces are divided by the largest force,
     velocities by the largest velocity. If ``enclosure`` finds no solution, it limits the backward error. ``refine``:
-    search for a solution, also without z. ``within``: the radius in which a solution is near: with one there an answer
+    search for a solution, also without z. ``all``: find all solutions by Coulomb's law, in space as well, with a proof
+    that there are no others; :attr:`Verdict.solutions` has them, also without z. ``within``: the radius in which a solution is near: with one there an answer
     whose backward error is above the tolerance is ``not converged``, without one it is wrong. ``effort`` limits the work
     on one answer, in operations on words. ``threads``: 0 for all cores. ``progress``: a function of (done, all), or True.
 
@@ -142,18 +143,18 @@ def certify(W: Any, q: Any, z: Any = None, mu: Any = None, *, w: Any = None, dim
     one_of("function", function, ("linear", "soft"))
     one_of("method", method, ("auto", "exact", "enclosure"))
     own_law = law not in ("cone", "coulomb") or compliance is not None or bias is not None
-    special = refine or within is not None or own_law or z is None
+    special = refine or all or within is not None or own_law or z is None
     can_be_exact = dims < 3 and size <= EXACT_UP_TO and not _is_sparse(W) and not special
     if method == "exact" and not can_be_exact:
-        raise wrong_value("method", "'exact'", "an array W, an answer z, no refine, within or law, dimension 1 or 2, "
+        raise wrong_value("method", "'exact'", "an array W, an answer z, no refine, all, within or law, dimension 1 or 2, "
                           f"and at most {EXACT_UP_TO} components")
-    if z is None and not refine:
-        raise wrong_value("z", "None", "an answer, or refine=True")
+    if z is None and not refine and not all:
+        raise wrong_value("z", "None", "an answer, refine=True or all=True")
     if method == "enclosure" or not can_be_exact:
         if q_array.ndim != 1:
             raise wrong_value("q", f"shape {q_array.shape}", "one problem, (n,), for what is not decided exactly")
         options = _core.ContactOptions(real("tolerance", 1e-6 if tolerance is None else tolerance, 0, 1),
-                                       None if within is None else real("within", within, 0, 1e300), bool(refine), law,
+                                       None if within is None else real("within", within, 0, 1e300), bool(refine), bool(all), law,
                                        None if effort is None else whole("effort", effort, 1, 2**63))
         tangential = 0 if mu_array is None else size - size // dims
         solver: _Solver = (
@@ -218,23 +219,23 @@ def _certify_exact(W: Any, q: Array, z: Any, w: Any, mu: Optional[Array], tolera
 def certify_file(path: Union[str, "os.PathLike[str]"], *, scene: Union[None, str, "os.PathLike[str]"] = None,
                  mechanism: Optional[str] = None, answer: Union[None, str, "os.PathLike[str]"] = None,
                  tolerance: Optional[float] = None, law: Optional[str] = None, refine: bool = False,
-                 within: Optional[float] = None, effort: Optional[int] = None, ignore_unknown: bool = False,
+                 all: bool = False, within: Optional[float] = None, effort: Optional[int] = None, ignore_unknown: bool = False,
                  threads: int = 0, progress: Progress = None) -> Verdicts:
     """The verdicts of ``slipproof certify`` on a file: one for each record, or for each answer to a contact problem.
 
     Records are CSV or JSON Lines; ``scene`` has the values that are the same for all of them, or ``mechanism`` is their
     mechanism. Problems are FCLIB's HDF5, text of Siconos, MatrixMarket or JSON; ``answer`` is a file with the solver's
-    answer, ``law`` is in place of the one that the problem names. ``tolerance``, ``refine``, ``within``, ``effort``,
-    ``threads`` and ``progress`` are those of :func:`certify`; ``ignore_unknown`` skips unknown columns. ``path`` and the
+    answer, ``law`` is in place of the one that the problem names. ``tolerance``, ``refine``, ``all``, ``within``,
+    ``effort``, ``threads`` and ``progress`` are those of :func:`certify`; ``ignore_unknown`` skips unknown columns. ``path`` and the
     others are files. Raises FileNotFoundError if one is not there, InputError for mistakes in them.
     """
     name = _file("path", path)
     if law is not None:
         one_of("law", law, _LAWS)
     work = None if effort is None else whole("effort", effort, 1, 2**63)
-    if answer is not None or refine or within is not None or law is not None or _core.is_problem_file(name):
+    if answer is not None or refine or all or within is not None or law is not None or _core.is_problem_file(name):
         options = _core.ContactOptions(real("tolerance", 1e-6 if tolerance is None else tolerance, 0, 1),
-                                       None if within is None else real("within", within, 0, 1e300), bool(refine), law,
+                                       None if within is None else real("within", within, 0, 1e300), bool(refine), bool(all), law,
                                        work)
         judged = _core.certify_problem_file(name, None if answer is None else _file("answer", answer), options)
         return JudgedVerdicts(judged)

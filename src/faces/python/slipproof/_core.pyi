@@ -27,7 +27,7 @@ class Solution:
     def cells(self) -> List[Tuple[Any, ...]]: ...
 
 class ContactOptions:
-    def __init__(self, tolerance: float, within: Optional[float], refine: bool, law: Optional[str],
+    def __init__(self, tolerance: float, within: Optional[float], refine: bool, all: bool, law: Optional[str],
                  effort: Optional[int]) -> None: ...
 
 class Judged:

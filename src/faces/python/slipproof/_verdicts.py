@@ -81,6 +81,18 @@ class Verdict(Result):
         """Whether the answer is certified, and it is proved that there is no other solution."""
         return self.certified and "others" not in self.details
 
+    @property
+    def solutions(self) -> Any:
+        """All solutions, where they were asked for and it is proved that there are no others: a dict for each, then one for
+        each continuum of them, with forces ``z`` (``nearest_z``) and velocities ``w``, exact or in ranges; where some stay
+        open ``left_out`` says so, and there is no list. Of a problem in exact numbers how many there are."""
+        found = self.details.get("all", {})
+        if "found" in found:
+            return found["found"] + found.get("continua", [])
+        if "solutions" not in self.details:
+            raise AttributeError(f"this verdict has no solutions; it has {', '.join(self.details)}")
+        return self.details["solutions"]
+
     def to_dict(self) -> Dict[str, Any]:
         """The output line of ``slipproof certify``, as a dict."""
         return dict(self.details)
