@@ -301,8 +301,7 @@ Section Instance.
           apply in_app_or in I; destruct I as [I|I]; try (destruct (has_friction _ _); [apply Range in I | apply One in I]; destruct I);
           try (destruct I; fail). destruct I as [<-|[]]. split; reflexivity. }
       destruct M as [M ->]. rewrite (slip_at k M). assert (F := fits_at k K). unfold fits in F. rewrite state_here, M in F.
-      destruct (state_of s (N.of_nat k)) as [| | | |a x] eqn:S; try discriminate. apply andb_prop in F. destruct F as [F D3].
-      apply N.eqb_eq in D3. assert (D3' : d = 3%nat) by (rewrite <- dim_is; lia).
+      destruct (state_of s (N.of_nat k)) as [| | | |a x] eqn:S; try discriminate.
       destruct (slipping_in_space k a x K M S) as [Q [_ [y [Y [U _]]]]].
       destruct (slip_bounded k a x y _ K M S Y U) as [g [m [[C0 C1] [C2 [B1 B2]]]]].
       assert (S0 : 0 <= slip_value k).
