@@ -154,7 +154,7 @@ Section Small.
       - exact O.
       - intros e. rewrite (eval_ext _ _ v) by (intros; unfold a; ring).
         destruct (nth_in_or_default (N.to_nat e) kept nothing) as [I|Q].
-        + apply (equations_hold i whole fine_numbers no_free modes s r); auto. apply others_from in I. exact I.
+        + apply (equations_hold i whole fine_numbers no_free modes b l s r ys); auto. apply others_from in I. exact I.
         + rewrite Q. unfold eval; cbn. rewrite value_zero. lra.
       - intros e. destruct (nth_in_or_default (N.to_nat e) kept nothing) as [I|Q].
         + apply Z, I.

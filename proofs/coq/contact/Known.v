@@ -115,18 +115,13 @@ Section Instance.
       destruct B as [<-|B]; [|apply (IH ys H2 b B)]. apply (proved_sound i whole fine_numbers no_free s r solves inside c y H1).
     Qed.
 
-    Lemma normal_rests k : (k < contacts P)%nat -> 0 < of_contact P k r 0 -> of_contact P k u 0 = 0.
-    Proof.
-      intros K R0. destruct (proj2 solves k K) as [_ _ Z _ _]. fold u in Z. apply Rmult_integral in Z. destruct Z; [lra | assumption].
-    Qed.
-
     Lemma rests_zero k t : (k < contacts P)%nat -> (t < d)%nat -> rests (state_of s (N.of_nat k)) (N.of_nat t) = true ->
       of_contact P k u t = 0.
     Proof.
       intros K T H. assert (A := inside k K). destruct (state_of s (N.of_nat k)) as [| | | |a b]; cbn [rests allows] in *; try discriminate.
-      - apply N.eqb_eq in H. assert (t = 0%nat) by lia. subst t. apply normal_rests; assumption.
+      - apply N.eqb_eq in H. assert (t = 0%nat) by lia. subst t. exact A.
       - apply A. exact T.
-      - apply N.eqb_eq in H. assert (t = 0%nat) by lia. subst t. apply normal_rests; [exact K | apply A].
+      - apply N.eqb_eq in H. assert (t = 0%nat) by lia. subst t. apply A.
     Qed.
 
     (** Velocities are near the range of those in a box. *)

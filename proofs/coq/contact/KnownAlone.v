@@ -98,10 +98,6 @@ Section Instance.
     - apply negb_false_iff, sign_zero in H. exact H.
   Qed.
 
-  (** What the state of a contact says, for each mode that fits it. *)
-  Lemma presses k : (k < contacts P)%nat -> 0 < rr k 0%nat -> uu k 0%nat = 0.
-  Proof. intros K R0. apply (normal_rests i r solves k K R0). Qed.
-
   Lemma no_friction_force k : (k < contacts P)%nat -> friction_of k = 0 -> forall t, (1 <= t < d)%nat -> rr k t = 0.
   Proof.
     intros K F. destruct (coulomb_plane d _ _ _ d_fine (proj2 solves k K)) as [C _]. apply (tangents_zero d _ d_fine).
@@ -109,33 +105,70 @@ Section Instance.
     assert (Q : 0 <= inner (plane d (rr k)) (plane d (rr k))) by (unfold inner; nra). lra.
   Qed.
 
-  Lemma slipping k a e : (k < contacts P)%nat -> has_friction (t_dim p) (c k) = true ->
-    state_of s (N.of_nat k) = SlipState a e ->
-    0 < friction_of k * rr k 0%nat /\ uu k 0%nat = 0 /\
-    exists x, in_arc (arrow_of a) (arrow_of e) x /\ plane d (uu k) = stretch (slip_value k * (friction_of k * rr k 0%nat)) x /\
-      plane d (rr k) = stretch (- (friction_of k * rr k 0%nat)) x.
-  Proof.
-    intros K H S. assert (A := inside k K). rewrite S in A. destruct A as [R0 [x [v [X [V [U R]]]]]].
-    assert (F := friction_positive k K H).
-    change (0 < rr k 0%nat) in R0. change (plane d (uu k) = stretch v x) in U.
-    change (plane d (rr k) = stretch (- (friction_of k * rr k 0%nat)) x) in R.
-    assert (Q : 0 < friction_of k * rr k 0%nat) by (apply Rmult_lt_0_compat; assumption).
-    split; [exact Q|]. split; [apply presses; assumption|]. exists x. split; [exact X|]. split; [|exact R].
-    assert (T : tangential d (uu k) = v).
-    { apply tangential_eq; [lra|]. rewrite (square_plane _ _ d_fine), U, stretch_inner, inner_stretch.
-      rewrite (proj1 (proj2 X)). ring. }
-    unfold slip_value. rewrite T. replace (v / (friction_of k * rr k 0%nat) * (friction_of k * rr k 0%nat)) with v by (field; lra).
-    exact U.
-  Qed.
-
   Lemma state_here k : of_contact_state p s (c k) = state_of s (N.of_nat k).
   Proof. apply (state_at i no_free). Qed.
 
-  Lemma slipping_in_plane k a e x : (k < contacts P)%nat -> has_friction (t_dim p) (c k) = true -> d = 2%nat ->
+  Lemma slipping k a e : (k < contacts P)%nat -> state_of s (N.of_nat k) = SlipState a e ->
+    uu k 0%nat = 0 /\ exists x v, in_arc (arrow_of a) (arrow_of e) x /\ 0 < v /\
+      plane d (uu k) = stretch v x /\ plane d (rr k) = stretch (- (friction_of k * rr k 0%nat)) x.
+  Proof. intros K S. assert (A := inside k K). rewrite S in A. exact A. Qed.
+
+  (** What the multipliers of a contact that slides in space bound. *)
+  Lemma slip_bounded k a e x v : (k < contacts P)%nat -> its_mode (c k) = Slide -> state_of s (N.of_nat k) = SlipState a e ->
+    in_arc (arrow_of a) (arrow_of e) x -> plane d (uu k) = stretch v x ->
+    let z := values (center_of b) (slip (c k)) in let w := value l * absolute (radius_of b) (slip (c k)) in
+    let q := friction_of k * rr k 0%nat in
+    exists g m, 0 < g <= m /\ m <= 1 + g / 2 /\ v * m <= (z + w) * q * g /\ (z - w) * q * (1 + g / 2) <= v * m.
+  Proof.
+    intros K M S Y U z w q. assert (D := d_fine). assert (F := fits_at k K). unfold fits in F. rewrite state_here, M, S in F.
+    apply andb_prop in F. destruct F as [_ D3]. apply N.eqb_eq in D3. assert (D3' : d = 3%nat) by (rewrite <- dim_is; lia).
+    assert (B : forall y, In y (slip_bounds b l (c k) a e) ->
+        value (at_least y) <= apply (of_velocities y) (cut i (motion P r)) + apply (of_forces y) (cut i r)).
+    { intros y E. apply (all_proved_each i whole fine_numbers no_free s r solves inside _ _ bounded).
+      apply in_flat_map. exists (c k). split; [apply c_In, K|].
+      unfold force_bounds. apply in_or_app. right. fold p. rewrite M, state_here, S. exact E. }
+    assert (B1 := B _ (or_introl eq_refl)). assert (B2 := B _ (or_intror (or_introl eq_refl))).
+    cbn [at_least of_velocities of_forces apply] in B1, B2.
+    assert (Cut : forall y t, (t < d)%nat -> cut i y (first (c k) + N.of_nat t)%N = of_contact P k y t).
+    { intros y t T. unfold c. rewrite (first_at i no_free). rewrite cut_at by apply (component_below i no_free k t K T).
+      symmetry. apply (component i no_free). }
+    assert (V1 := Cut (motion P r) 1%nat ltac:(lia)). assert (V2 := Cut (motion P r) 2%nat ltac:(lia)).
+    assert (R0 := Cut r 0%nat ltac:(lia)). cbn [N.of_nat Pos.of_succ_nat Pos.succ] in V1, V2, R0. rewrite N.add_0_r in R0.
+    rewrite V1, V2, R0 in B1, B2. fold (rr k) (uu k) in B1, B2.
+    destruct (plane_components _ _ _ D U) as [U1 U2].
+    specialize (U1 ltac:(lia)). specialize (U2 ltac:(lia)). cbn [fst snd stretch] in U1, U2. rewrite U1, U2 in B1, B2.
+    assert (Half : value (Number 1 1 1) = / 2) by (unfold value; simpl; field).
+    values_in B1. values_in B2. rewrite Half in B2. change (value (mu (c k))) with (friction_of k) in B1, B2.
+    destruct (in_arc_middle _ _ _ Y) as [C0 [C1 C2]].
+    fold (absolute (radius_of b) (slip (c k))) (values (center_of b) (slip (c k))) in B1, B2. fold z w in B1, B2.
+    exists (1 + inner (arrow_of a) (arrow_of e)), (inner (fst (arrow_of a) + fst (arrow_of e), snd (arrow_of a) + snd (arrow_of e)) x).
+    split; [split; assumption|]. split; [exact C2|]. unfold inner at 1 4. unfold q. cbn [fst snd arrow_of] in *. split; lra.
+  Qed.
+
+  (** There it slips with a force: v > 0, so that the first bound could not be with r_N = 0. *)
+  Lemma slipping_in_space k a e : (k < contacts P)%nat -> its_mode (c k) = Slide -> state_of s (N.of_nat k) = SlipState a e ->
+    let q := friction_of k * rr k 0%nat in
+    0 < q /\ uu k 0%nat = 0 /\ exists x, in_arc (arrow_of a) (arrow_of e) x /\
+      plane d (uu k) = stretch (slip_value k * q) x /\ plane d (rr k) = stretch (- q) x.
+  Proof.
+    intros K M S q. destruct (slipping k a e K S) as [U0 [x [v [X [V [U R]]]]]].
+    assert (Q : 0 < q).
+    { destruct (slip_bounded k a e x v K M S X U) as [g [m [[G G'] [_ [B _]]]]]. fold q in B.
+      assert (F := friction_fine k K). destruct (proj2 solves k K) as [R0 _ _ _ _]. change (0 <= rr k 0%nat) in R0.
+      assert (Q0 : 0 <= q) by (apply Rmult_le_pos; assumption). destruct Q0 as [Q0|Q0]; [exact Q0|].
+      rewrite <- Q0 in B. nra. }
+    split; [exact Q|]. split; [exact U0|]. exists x. split; [exact X|]. split; [|exact R].
+    assert (T : tangential d (uu k) = v).
+    { apply tangential_eq; [lra|]. rewrite (square_plane _ _ d_fine), U, stretch_inner, inner_stretch.
+      rewrite (proj1 (proj2 X)). ring. }
+    unfold slip_value. rewrite T. fold q. replace (v / q * q) with v by (field; lra). exact U.
+  Qed.
+
+  Lemma slipping_in_plane k a e x : (k < contacts P)%nat -> d = 2%nat ->
     state_of s (N.of_nat k) = SlipState a e -> same_direction a x = true -> same_direction e x = true ->
     uu k 0%nat = 0 /\ rr k 1%nat = - (friction_of k * rr k 0%nat) * value (fst x).
   Proof.
-    intros K H D S A E. destruct (slipping k a e K H S) as [_ [U0 [y [Y [_ R]]]]]. split; [exact U0|].
+    intros K D S A E. destruct (slipping k a e K S) as [U0 [y [v [Y [_ [_ R]]]]]]. split; [exact U0|].
     assert (Same : forall g, same_direction g x = true -> arrow_of g = arrow_of x).
     { intros g B. unfold same_direction in B. apply andb_prop in B. destruct B as [B1 B2]. apply eq_value in B1. apply eq_value in B2.
       unfold arrow_of. rewrite B1, B2. reflexivity. }
@@ -151,14 +184,14 @@ Section Instance.
     assert (D := d_fine). assert (A := inside k K). fold P d (friction_of k) (rr k) (uu k) in A.
     assert (N0 := normal_velocity k K).
     destruct (its_mode (c k)) eqn:M; destruct (state_of s (N.of_nat k)) as [| | | |a x] eqn:S; try discriminate; try (destruct E; fail).
-    - apply negb_true_iff in F. rewrite F in E. destruct E as [<-|[]]. rewrite N0. apply presses; [exact K | apply A].
-    - rewrite F in E. destruct A as [R0 U]. destruct E as [<-|E]; [rewrite N0; apply U; lia|].
+    - apply negb_true_iff in F. rewrite F in E. destruct E as [<-|[]]. rewrite N0. exact A.
+    - rewrite F in E. rename A into U. destruct E as [<-|E]; [rewrite N0; apply U; lia|].
       apply in_map_iff in E. destruct E as [j [<- J]]. apply range_In in J.
       change (t_dim p) with (dim i) in J. unfold d, P, problem_of in U, D; cbn [dimension] in U, D.
       replace j with (first (c k) + N.of_nat (N.to_nat (j - first (c k))))%N by lia.
       rewrite velocity_at by (try exact K; unfold d, P, problem_of; cbn [dimension]; lia). apply U. lia.
     - apply andb_prop in F. destruct F as [F D3]. apply N.eqb_eq in D3. assert (D3' : d = 3%nat) by (rewrite <- dim_is; lia).
-      destruct (slipping k a x K F S) as [Q [U0 [y [Y [U R]]]]].
+      destruct (slipping_in_space k a x K M S) as [Q [U0 [y [Y [U R]]]]].
       destruct (plane_components _ _ _ D U) as [U1 U2]. destruct (plane_components _ _ _ D R) as [R1 R2].
       cbn [fst snd stretch] in U1, U2, R1, R2. rewrite <- normal_velocity in U0 by exact K.
       specialize (U1 ltac:(lia)). specialize (U2 ltac:(lia)). specialize (R1 ltac:(lia)). specialize (R2 ltac:(lia)).
@@ -179,13 +212,13 @@ Section Instance.
           with (friction_of k * rr k 0 * (friction_of k * rr k 0) * (fst y * fst y + snd y * snd y - 1)) by ring.
         rewrite Y. ring.
     - split_and F. apply N.eqb_eq in H1. assert (D2 : d = 2%nat) by (rewrite <- dim_is; lia).
-      destruct (slipping_in_plane k a x ahead K F D2 S H0 H) as [U0 R1]. rewrite <- normal_velocity in U0 by exact K.
+      destruct (slipping_in_plane k a x ahead K D2 S H0 H) as [U0 R1]. rewrite <- normal_velocity in U0 by exact K.
       destruct E as [<-|[<-|[]]]; [exact U0|]. assert (F1 := force_at k 1 K ltac:(lia)). assert (F0 := normal_at k K).
       unfold edge, eval. cbn [constant_part linear_part quadratic_part products apply] in *.
       cbn [N.of_nat Pos.of_succ_nat] in F1. cbn [fst ahead] in R1. rewrite F1, F0, R1, value_one, value_zero.
       change (value (mu (c k))) with (friction_of k). ring.
     - split_and F. apply N.eqb_eq in H1. assert (D2 : d = 2%nat) by (rewrite <- dim_is; lia).
-      destruct (slipping_in_plane k a x (opposite_direction ahead) K F D2 S H0 H) as [U0 R1].
+      destruct (slipping_in_plane k a x (opposite_direction ahead) K D2 S H0 H) as [U0 R1].
       rewrite <- normal_velocity in U0 by exact K.
       destruct E as [<-|[<-|[]]]; [exact U0|]. assert (F1 := force_at k 1 K ltac:(lia)). assert (F0 := normal_at k K).
       unfold edge, eval. cbn [constant_part linear_part quadratic_part products apply] in *.
@@ -268,34 +301,12 @@ Section Instance.
           apply in_app_or in I; destruct I as [I|I]; try (destruct (has_friction _ _); [apply Range in I | apply One in I]; destruct I);
           try (destruct I; fail). destruct I as [<-|[]]. split; reflexivity. }
       destruct M as [M ->]. rewrite (slip_at k M). assert (F := fits_at k K). unfold fits in F. rewrite state_here, M in F.
-      destruct (state_of s (N.of_nat k)) as [| | | |a x] eqn:S; try discriminate. apply andb_prop in F. destruct F as [F D3].
-      apply N.eqb_eq in D3. assert (D3' : d = 3%nat) by (rewrite <- dim_is; lia).
-      assert (B : forall e, In e (slip_bounds b l (c k) a x) ->
-          value (at_least e) <= apply (of_velocities e) (cut i (motion P r)) + apply (of_forces e) (cut i r)).
-      { intros e E. apply Proved, Here. unfold force_bounds. apply in_or_app. right. fold p. rewrite M, state_here, S. exact E. }
-      assert (B1 := B _ (or_introl eq_refl)). assert (B2 := B _ (or_intror (or_introl eq_refl))).
-      cbn [at_least of_velocities of_forces apply] in B1, B2.
-      assert (Cut : forall y t, (t < d)%nat -> cut i y (first (c k) + N.of_nat t)%N = of_contact P k y t).
-      { intros y t T. unfold c. rewrite (first_at i no_free). rewrite cut_at by apply (component_below i no_free k t K T).
-        symmetry. apply (component i no_free). }
-      assert (V1 := Cut (motion P r) 1%nat ltac:(lia)). assert (V2 := Cut (motion P r) 2%nat ltac:(lia)).
-      assert (R0 := Cut r 0%nat ltac:(lia)). cbn [N.of_nat Pos.of_succ_nat Pos.succ] in V1, V2, R0. rewrite N.add_0_r in R0.
-      rewrite V1, V2, R0 in B1, B2. fold (rr k) (uu k) in B1, B2.
-      destruct (slipping k a x K F S) as [Q [_ [y [Y [U _]]]]]. destruct (plane_components _ _ _ D U) as [U1 U2].
-      specialize (U1 ltac:(lia)). specialize (U2 ltac:(lia)). cbn [fst snd stretch] in U1, U2. rewrite U1, U2 in B1, B2.
-      assert (Half : value (Number 1 1 1) = / 2) by (unfold value; simpl; field).
-      values_in B1. values_in B2. rewrite Half in B2.
-      change (value (mu (c k))) with (friction_of k) in B1, B2.
-      destruct (in_arc_middle _ _ _ Y) as [C0 [C1 C2]]. unfold inner at 2 in C1. unfold inner at 1 in C2.
-      cbn [fst snd arrow_of] in C1, C2. fold (absolute (radius_of b) (slip (c k))) in B1, B2 |- *.
-      fold (values (center_of b) (slip (c k))) in B1, B2.
+      destruct (state_of s (N.of_nat k)) as [| | | |a x] eqn:S; try discriminate.
+      destruct (slipping_in_space k a x K M S) as [Q [_ [y [Y [U _]]]]].
+      destruct (slip_bounded k a x y _ K M S Y U) as [g [m [[C0 C1] [C2 [B1 B2]]]]].
       assert (S0 : 0 <= slip_value k).
       { unfold slip_value. assert (T := tangential_nonnegative d (uu k)). assert (I0 := Rinv_0_lt_compat _ Q). unfold Rdiv. nra. }
-      set (g := 1 + inner (arrow_of a) (arrow_of x)) in *. set (z := values _ _) in *. set (w := value l * _) in *.
-      set (q := friction_of k * rr k 0%nat) in *.
-      set (m := (value (fst a) + value (fst x)) * fst y + (value (snd a) + value (snd x)) * snd y) in *.
-      assert (B1' : 0 <= - (slip_value k * q) * m + (z + w) * q * g) by (unfold m, q in *; lra).
-      assert (B2' : 0 <= slip_value k * q * m - (z - w) * q * (1 + g / 2)) by (unfold m, q in *; lra).
+      set (z := values _ _) in *. set (w := value l * _) in *. set (q := friction_of k * rr k 0%nat) in *.
       assert (SQ : 0 <= slip_value k * q) by nra. apply Rabs_le. split.
       + assert (H : (z - w) * (q * (1 + g / 2)) <= slip_value k * (q * (1 + g / 2))) by nra.
         apply Rmult_le_reg_r in H; [lra | nra].

@@ -111,11 +111,9 @@ Record bound := Bound { of_velocities : linear; of_forces : linear; at_least : n
 
 Definition over_cone (m gn : number) (g : direction) : bool :=
   nonnegative gn && le (mul (square m) (dot g g)) (square gn).
-Definition inside_cone (m gn : number) (g : direction) : bool :=
-  positive_number gn && lt (mul (square m) (dot g g)) (square gn).
 Definition points_into (a b g : direction) : bool := positive_number (cross a g) && positive_number (cross g b).
 
-(** v . u >= 0 for all velocities of a state, v . u > 0; then the same for forces. *)
+(** v . u >= 0 for all velocities of a state, v . u > 0; then g . r >= 0 for all forces. *)
 Definition fine_velocities (s : state) (vn : number) (v : direction) : bool :=
   match s with
   | AnyState | OpenState => nonnegative vn && is_zero (fst v) && is_zero (snd v)
@@ -123,8 +121,12 @@ Definition fine_velocities (s : state) (vn : number) (v : direction) : bool :=
   | StickState => true
   | SlipState a b => nonnegative (dot v a) && nonnegative (dot v b)
   end.
-Definition more_velocities (s : state) (v : direction) : bool :=
-  match s with SlipState a b => positive_number (dot v a) && positive_number (dot v b) | _ => false end.
+Definition more_velocities (s : state) (vn : number) (v : direction) : bool :=
+  match s with
+  | OpenState => positive_number vn
+  | SlipState a b => positive_number (dot v a) && positive_number (dot v b)
+  | _ => false
+  end.
 
 Definition fine_forces (s : state) (m gn : number) (g : direction) : bool :=
   match s with
@@ -132,13 +134,6 @@ Definition fine_forces (s : state) (m gn : number) (g : direction) : bool :=
   | SlipState a b =>
       if points_into a b g then over_cone m gn g else le (mul m (dot g a)) gn && le (mul m (dot g b)) gn
   | _ => over_cone m gn g
-  end.
-Definition more_forces (s : state) (m gn : number) (g : direction) : bool :=
-  match s with
-  | AnyState | OpenState => false
-  | SlipState a b =>
-      if points_into a b g then inside_cone m gn g else lt (mul m (dot g a)) gn && lt (mul m (dot g b)) gn
-  | _ => inside_cone m gn g
   end.
 
 Section Prove.
@@ -164,9 +159,8 @@ Section Prove.
   Definition fine (v g : table) (c : contact) : bool :=
     fine_velocities (of_contact_state c) (get v (first c)) (tangent v c)
     && fine_forces (of_contact_state c) (mu c) (get g (first c)) (tangent g c).
-  Definition more (v g : table) (c : contact) : bool :=
-    more_velocities (of_contact_state c) (tangent v c)
-    || more_forces (of_contact_state c) (mu c) (get g (first c)) (tangent g c).
+  Definition more (v : table) (c : contact) : bool :=
+    more_velocities (of_contact_state c) (get v (first c)) (tangent v c).
 
   Definition proved (b : bound) (y : list number) : bool :=
     let v := v_of b y in let g := g_of b y in
@@ -175,7 +169,7 @@ Section Prove.
   Definition excluded (y : list number) : bool :=
     let v := v_of (Bound [] [] zero) y in let g := g_of (Bound [] [] zero) y in
     N.eqb (N.of_nat (List.length y)) (t_size p) && forallb (fine v g) all_contacts
-    && (positive_number (work y) || (nonnegative (work y) && existsb (more v g) all_contacts)).
+    && (positive_number (work y) || (nonnegative (work y) && existsb (more v) all_contacts)).
 
   Fixpoint all_proved (bounds : list bound) (ys : list (list number)) : bool :=
     match bounds, ys with

@@ -136,7 +136,7 @@ Section Instance.
     Lemma contact_terms v g k : (k < contacts P)%nat -> fine p s v g (contact_at i modes k) = true ->
       let terms := sum d (fun t => value (get v (N.of_nat (d * k + t))) * u (d * k + t)%nat)
         + sum d (fun t => value (get g (N.of_nat (d * k + t))) * r (d * k + t)%nat) in
-      0 <= terms /\ (more p s v g (contact_at i modes k) = true -> 0 < terms).
+      0 <= terms /\ (more p s v (contact_at i modes k) = true -> 0 < terms).
     Proof.
       intros K H. unfold fine, more in *. rewrite state_at in *. apply andb_prop in H. destruct H as [V G].
       assert (Law := proj2 solves k K). assert (A := inside k K).
@@ -147,19 +147,19 @@ Section Instance.
       assert (OC : forall (x : nat -> R) t, x (d * k + t)%nat = of_contact P k x t).
       { intros x t. unfold of_contact. rewrite no_free_here. reflexivity. }
       destruct (velocities_sound d (mu (contact_at i modes k)) _ _ _ d_size Law A _ _ V) as [V0 V1].
-      destruct (forces_sound d (mu (contact_at i modes k)) _ _ _ d_size M0 Law A _ _ G) as [G0 G1].
-      rewrite tangent_plane, E in V0, V1, G0, G1. cbv zeta.
+      assert (G0 := forces_sound d (mu (contact_at i modes k)) _ _ _ d_size M0 Law A _ _ G).
+      rewrite tangent_plane, E in V0, V1, G0. cbv zeta.
       rewrite (sum_ext d _ (fun t => value (get v (N.of_nat (d * k + t))) * of_contact P k u t)) by (intros; rewrite OC; reflexivity).
       rewrite (sum_ext d (fun t => value (get g (N.of_nat (d * k + t))) * r (d * k + t)%nat)
         (fun t => value (get g (N.of_nat (d * k + t))) * of_contact P k r t)) by (intros; rewrite OC; reflexivity).
       rewrite (sum_plane d (fun t => value (get v (N.of_nat (d * k + t)))) _ d_size).
       rewrite (sum_plane d (fun t => value (get g (N.of_nat (d * k + t)))) _ d_size).
-      fold u in V0, V1. split; [lra|]. intros Q. apply orb_prop in Q. destruct Q as [Q|Q]; [specialize (V1 Q) | specialize (G1 Q)]; lra.
+      fold u in V0, V1. split; [lra|]. intros Q. specialize (V1 Q). lra.
     Qed.
 
     Lemma all_terms v g : forallb (fine p s v g) (all_contacts p) = true ->
       let terms := sum n (fun j => value (get v (N.of_nat j)) * u j) + sum n (fun j => value (get g (N.of_nat j)) * r j) in
-      0 <= terms /\ (existsb (more p s v g) (all_contacts p) = true -> 0 < terms).
+      0 <= terms /\ (existsb (more p s v) (all_contacts p) = true -> 0 < terms).
     Proof.
       intros H. cbv zeta. unfold n, size. rewrite no_free_here. cbn [Nat.add]. rewrite !sum_blocks, <- sum_plus.
       rewrite forallb_forall in H.

@@ -11,10 +11,10 @@ Definition plane (d : nat) (v : nat -> R) : arrow := (if Nat.ltb 1 d then v 1%na
 Definition allows (d : nat) (m : R) (s : state) (r u : nat -> R) : Prop :=
   match s with
   | AnyState => True
-  | OpenState => forall t, (t < d)%nat -> r t = 0
-  | ClosedState => 0 < r 0%nat
-  | StickState => 0 < r 0%nat /\ forall t, (t < d)%nat -> u t = 0
-  | SlipState a b => 0 < r 0%nat /\ exists e v, in_arc (arrow_of a) (arrow_of b) e /\ 0 < v /\
+  | OpenState => 0 < u 0%nat /\ forall t, (t < d)%nat -> r t = 0
+  | ClosedState => u 0%nat = 0
+  | StickState => forall t, (t < d)%nat -> u t = 0
+  | SlipState a b => u 0%nat = 0 /\ exists e v, in_arc (arrow_of a) (arrow_of b) e /\ 0 < v /\
       plane d u = stretch v e /\ plane d r = stretch (- (m * r 0%nat)) e
   end.
 
@@ -65,18 +65,18 @@ Qed.
 Lemma open_or_closed d m r u : (1 <= d <= 3)%nat -> coulomb d m r u ->
   allows d m OpenState r u \/ allows d m ClosedState r u.
 Proof.
-  intros D C. destruct (coulomb_plane _ _ _ _ D C) as [R0 _]. destruct C as [P _ _ _ _].
-  destruct (Rle_lt_dec (r 0%nat) 0) as [L|L]; [|right; exact L]. left.
-  assert (Z : r 0%nat = 0) by lra. intros [|t] T; [exact Z|]. apply (tangents_zero d r D); [|lia].
+  intros D C. destruct (coulomb_plane _ _ _ _ D C) as [R0 _]. destruct C as [_ U Z0 _ _].
+  destruct (Rle_lt_dec (u 0%nat) 0) as [L|L]; [right; cbn; lra|]. left. split; [exact L|].
+  assert (Z : r 0%nat = 0) by nra. intros [|t] T; [exact Z|]. apply (tangents_zero d r D); [|lia].
   rewrite Z in R0. assert (Q : 0 <= inner (plane d r) (plane d r)) by (unfold inner; nra). nra.
 Qed.
 
 (** A contact that does not stick slips in some direction. *)
-Lemma stick_or_slip d m r u : (1 <= d <= 3)%nat -> coulomb d m r u -> 0 < r 0%nat ->
+Lemma stick_or_slip d m r u : (1 <= d <= 3)%nat -> coulomb d m r u -> u 0%nat = 0 ->
   allows d m StickState r u \/
   exists e v, inner e e = 1 /\ 0 < v /\ plane d u = stretch v e /\ plane d r = stretch (- (m * r 0%nat)) e.
 Proof.
-  intros D C P. destruct (coulomb_plane _ _ _ _ D C) as [_ [v [V [VV O]]]]. destruct C as [_ _ Z _ _].
+  intros D C Z. destruct (coulomb_plane _ _ _ _ D C) as [_ [v [V [VV O]]]].
   destruct V as [V|V].
   - right. exists (stretch (/ v) (plane d u)), v. rewrite stretch_inner, inner_stretch, <- VV.
     split; [field; lra|]. split; [exact V|].
@@ -84,10 +84,10 @@ Proof.
     + rewrite (surjective_pairing (plane d u)) at 1. f_equal; field; lra.
     + rewrite (surjective_pairing (plane d r)) at 1. f_equal; apply Rmult_eq_reg_l with v; try lra;
         [rewrite O1 | rewrite O2]; field; lra.
-  - left. split; [exact P|]. intros [|t] T; [nra|]. apply (tangents_zero d u D); [|lia]. rewrite <- VV, <- V. ring.
+  - left. intros [|t] T; [exact Z|]. apply (tangents_zero d u D); [|lia]. rewrite <- VV, <- V. ring.
 Qed.
 
-Lemma slips_some d m r u l : (1 <= d <= 3)%nat -> 0 < r 0%nat -> forall e v a,
+Lemma slips_some d m r u l : (1 <= d <= 3)%nat -> u 0%nat = 0 -> forall e v a,
   0 < v -> plane d u = stretch v e -> plane d r = stretch (- (m * r 0%nat)) e -> some_arc a l e ->
   exists s, In s (slips_in (arcs a l)) /\ allows d m s r u.
 Proof.
@@ -162,19 +162,20 @@ Section State.
 
   Lemma velocities_sound vn v : fine_velocities s vn v = true ->
     0 <= value vn * u 0%nat + inner (arrow_of v) (plane d u) /\
-    (more_velocities s v = true -> 0 < value vn * u 0%nat + inner (arrow_of v) (plane d u)).
+    (more_velocities s vn v = true -> 0 < value vn * u 0%nat + inner (arrow_of v) (plane d u)).
   Proof.
     intros H. destruct law as [P U C _ _].
     assert (Zero : is_zero (fst v) = true -> is_zero (snd v) = true -> inner (arrow_of v) (plane d u) = 0).
     { intros A B. apply sign_zero in A. apply sign_zero in B. unfold inner, arrow_of; cbn. rewrite A, B. ring. }
     destruct s as [| | | |a b]; cbn [fine_velocities more_velocities allows] in *.
     - split_and H. apply sign_nonnegative in H. rewrite Zero by assumption. split; [nra | discriminate].
-    - split_and H. apply sign_nonnegative in H. rewrite Zero by assumption. split; [nra | discriminate].
-    - split_and H. rewrite Zero by assumption. assert (u 0%nat = 0) by nra. split; [nra | discriminate].
-    - destruct allowed as [_ Z]. split; [|discriminate]. unfold plane, inner. rewrite (Z 0%nat) by lia.
-      assert (Z1 := Z 1%nat). assert (Z2 := Z 2%nat).
+    - destruct allowed as [U0 _]. split_and H. apply sign_nonnegative in H. rewrite Zero by assumption. split; [nra|].
+      intros M. apply sign_positive in M. nra.
+    - split_and H. rewrite Zero, allowed by assumption. split; [lra | discriminate].
+    - split; [|discriminate]. unfold plane, inner. rewrite (allowed 0%nat) by lia.
+      assert (Z1 := allowed 1%nat). assert (Z2 := allowed 2%nat).
       destruct (Nat.ltb_spec 1 d); destruct (Nat.ltb_spec 2 d); cbn; rewrite ?Z1, ?Z2 by lia; lra.
-    - destruct allowed as [R0 [e [w [A [W [PU _]]]]]]. assert (U0 : u 0%nat = 0) by nra.
+    - destruct allowed as [U0 [e [w [A [W [PU _]]]]]].
       split_and H. apply sign_nonnegative in H. apply sign_nonnegative in H0. rewrite dot_is in *.
       destruct (in_arc_positive _ _ _ _ A H H0) as [Q Q']. rewrite U0, PU, inner_stretch. split; [nra|].
       intros M. split_and M. apply sign_positive in M. apply sign_positive in H1. rewrite dot_is in *.
@@ -182,11 +183,10 @@ Section State.
   Qed.
 
   Lemma cone_sound gn g : over_cone m gn g = true ->
-    0 <= value gn * r 0%nat + inner (arrow_of g) (plane d r) /\
-    (inside_cone m gn g = true -> 0 < r 0%nat -> 0 < value gn * r 0%nat + inner (arrow_of g) (plane d r)).
+    0 <= value gn * r 0%nat + inner (arrow_of g) (plane d r).
   Proof.
     intros H. destruct (coulomb_plane _ _ _ _ dimension law) as [K _]. destruct law as [P _ _ _ _].
-    unfold over_cone, inside_cone, Checker.square in *. split_and H. apply sign_nonnegative in H. apply le_value in H0.
+    unfold over_cone, Checker.square in *. split_and H. apply sign_nonnegative in H. apply le_value in H0.
     rewrite !value_mul, dot_is in H0. set (gt := arrow_of g) in *. set (rt := plane d r) in *.
     set (x := value gn) in *. set (y := r 0%nat) in *. set (f := value m) in *.
     assert (CS : inner gt rt * inner gt rt <= inner gt gt * inner rt rt).
@@ -196,27 +196,20 @@ Section State.
     { eapply Rle_trans; [exact CS|]. eapply Rle_trans; [apply Rmult_le_compat_l; [exact GG | exact K]|].
       replace (inner gt gt * (f * y * (f * y))) with (f * f * inner gt gt * (y * y)) by ring.
       replace (x * y * (x * y)) with (x * x * (y * y)) by ring. apply Rmult_le_compat_r; [nra | exact H0]. }
-    assert (XY : 0 <= x * y) by nra. split; [nra|]. intros I Y. split_and I. apply sign_positive in I. fold x in I.
-    apply lt_value in H1. rewrite !value_mul, dot_is in H1. fold gt x f in H1.
-    assert (B' : inner gt rt * inner gt rt < (x * y) * (x * y)).
-    { eapply Rle_lt_trans; [exact CS|]. eapply Rle_lt_trans; [apply Rmult_le_compat_l; [exact GG | exact K]|].
-      replace (inner gt gt * (f * y * (f * y))) with (f * f * inner gt gt * (y * y)) by ring.
-      replace (x * y * (x * y)) with (x * x * (y * y)) by ring. apply Rmult_lt_compat_r; [nra | exact H1]. }
-    nra.
+    assert (XY : 0 <= x * y) by nra. nra.
   Qed.
 
   Lemma forces_sound gn g : fine_forces s m gn g = true ->
-    0 <= value gn * r 0%nat + inner (arrow_of g) (plane d r) /\
-    (more_forces s m gn g = true -> 0 < value gn * r 0%nat + inner (arrow_of g) (plane d r)).
+    0 <= value gn * r 0%nat + inner (arrow_of g) (plane d r).
   Proof.
-    intros H. destruct s as [| | | |a b] eqn:S; cbn [fine_forces more_forces allows] in *.
-    - split; [apply cone_sound, H | discriminate].
-    - split; [|discriminate]. unfold plane, inner. rewrite (allowed 0%nat) by lia.
-      destruct (Nat.ltb_spec 1 d); destruct (Nat.ltb_spec 2 d); cbn; rewrite ?(allowed 1%nat), ?(allowed 2%nat) by lia; lra.
-    - destruct (cone_sound _ _ H) as [A B]. split; [exact A|]. intros I. apply B; assumption.
-    - destruct (cone_sound _ _ H) as [A B]. split; [exact A|]. intros I. apply B; [exact I | apply allowed].
-    - destruct allowed as [R0 [e [v [A [_ [_ PR]]]]]]. destruct (points_into a b g) eqn:I.
-      + destruct (cone_sound _ _ H) as [Q Q']. split; [exact Q|]. intros M. apply Q'; assumption.
+    intros H. destruct s as [| | | |a b] eqn:S; cbn [fine_forces allows] in *.
+    - apply cone_sound, H.
+    - destruct allowed as [_ Z]. unfold plane, inner. rewrite (Z 0%nat) by lia.
+      destruct (Nat.ltb_spec 1 d); destruct (Nat.ltb_spec 2 d); cbn; rewrite ?(Z 1%nat), ?(Z 2%nat) by lia; lra.
+    - apply cone_sound, H.
+    - apply cone_sound, H.
+    - destruct allowed as [_ [e [v [A [_ [_ PR]]]]]]. destruct law as [R0 _ _ _ _]. destruct (points_into a b g) eqn:I.
+      + apply cone_sound, H.
       + assert (G : inner (arrow_of g) e <= Rmax (inner (arrow_of g) (arrow_of a)) (inner (arrow_of g) (arrow_of b))).
         { apply greatest_at_ends; [exact A|]. intros [T1 T2]. unfold points_into in I.
           apply andb_false_iff in I. rewrite <- !cross_is in *.
@@ -227,9 +220,6 @@ Section State.
         rewrite PR, inner_stretch. set (x := inner (arrow_of g) e) in *.
         split_and H. apply le_value in H. apply le_value in H0. rewrite value_mul, dot_is in *.
         assert (X : value m * x <= value gn).
-        { unfold Rmax in G. destruct (Rle_dec _ _) in G; nra. }
-        split; [nra|]. intros M. split_and M. apply lt_value in M. apply lt_value in H1. rewrite value_mul, dot_is in *.
-        assert (X' : value m * x < value gn).
         { unfold Rmax in G. destruct (Rle_dec _ _) in G; nra. }
         nra.
   Qed.

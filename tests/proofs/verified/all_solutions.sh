@@ -27,12 +27,19 @@ rejected rests-or-lifts s/exact 0/exact 0 within 1\/2/;s/known 1/known 0/
 rejected rests-or-lifts s/exact 0/exact 0 within -1/
 rejected rests-or-lifts s/known 1/known 0/
 rejected rests-or-lifts s/exact 1/exact 2/
-rejected touches s/empty 1/empty 0/
-rejected touches s/empty 1/empty -1/
+rejected touches s/empty -1/empty 0/
+rejected touches s/empty -1/empty 1/
+rejected touches s/known 0/empty 1/
+rejected guided s/empty -1 0/empty 0 0/
+rejected guided s/within 0 1/within 0 1\/2/
+rejected guided s/0 -1$/0 0/
+rejected guided s/known 0$/empty 0 0/
 accepted rests s/alone 1/within 0/;s/known 0.*/known 0/
 accepted rests s/alone 1//;s/known 0.*/known 0/
 unreadable rests s/alone 1//
 rejected rests s/alone 1/alone 1\/2/
+rejected rests s/alone 1/alone 0/
+unreadable rests s/alone 1/alone 1 within 0/
 rejected rests s/0 0 1\/2/0 0 1/
 rejected rests s/known 0  -1  1/known 0  0  1/
 rejected rests s/known 0  -1  1/known 0  -1  0/
