@@ -91,31 +91,41 @@ class SolutionSearch {
       point = ProposedPoint{std::vector<double>(exact_.size()), problem_.floating.q};
     }
     visit.point = std::move(point);
-    const auto mode = mode_of(node.pattern, *visit.point);
-    if (!mode) return;
-    const bool decided = *mode == node.pattern;
+    const bool decided = is_decided(node.pattern);
     if (decided) visit.shrunk = shrink_an_arc(node.pattern, program);
-    find_from(*mode, *visit.point, visit);
+    find_from(node.pattern, *visit.point, visit);
     const bool open = std::ranges::any_of(visit.candidates, [](const auto& m) { return m.open_directions > 0; });
     if (decided && (visit.candidates.empty() || (open && widest_arc(node.pattern) == 0))) {
-      find_from(*mode, program.middle(), visit);
+      find_from(node.pattern, program.middle(), visit);
     }
     visit.programs = program.solved();
   }
 
-  void find_from(const ContactPattern& mode, const ProposedPoint& start, Visit& visit) const {
-    auto motion = find_motion(exact_, problem_.floating, mode, start);
+  /// Whether nothing but directions is left to decide.
+  bool is_decided(const ContactPattern& pattern) const {
+    for (std::size_t k = 0; k < pattern.size(); ++k) {
+      if (!slipproof::is_decided(exact_, pattern, k)) return false;
+    }
+    return true;
+  }
+
+  void find_from(const ContactPattern& pattern, const ProposedPoint& start, Visit& visit) const {
+    const auto mode = mode_of(pattern, start);
+    if (!mode) return;
+    auto motion = find_motion(exact_, problem_.floating, *mode, start);
     if (motion) visit.candidates.push_back(std::move(*motion));
   }
 
-  /// The mode that a point has, if nothing is left to decide or the point is nearly a solution.
+  /// The mode that a point has, if nothing is left to decide or the point is nearly a solution. A contact that slips
+  /// without a force is open there, and touches.
   std::optional<ContactPattern> mode_of(const ContactPattern& pattern, const ProposedPoint& point) const {
     ContactPattern mode = pattern;
     for (std::size_t k = 0; k < mode.size(); ++k) {
-      if (is_decided(exact_, pattern, k)) continue;
-      if (violation(problem_.floating, k, point) > 1e-7) return std::nullopt;
       const std::size_t i = exact_.normal(k);
-      if (pattern[k].kind == Kind::any && point.r[i] < 1e-7) {
+      const bool decided = slipproof::is_decided(exact_, pattern, k), loaded = point.r[i] > 1e-7;
+      if (decided && (loaded || pattern[k].kind != Kind::slip)) continue;
+      if (!decided && violation(problem_.floating, k, point) > 1e-7) return std::nullopt;
+      if (!loaded) {
         mode[k].kind = Kind::open;
       } else if (!exact_.has_friction(k)) {
         mode[k].kind = Kind::closed;
@@ -129,22 +139,18 @@ class SolutionSearch {
     return mode;
   }
 
-  /// Motions that may be the same are one. Of a continuum two are enough.
+  /// Motions that may be the same are one. Of a continuum a few are enough.
   void add(SpatialMotion&& motion) {
-    std::size_t of_mode = 0;
-    for (const SpatialMotion& known : found_.motions) {
-      if (!known.differs(motion)) return;
-      of_mode += known.open_directions > 0 && same_states(known.mode, motion.mode) ? 1 : 0;
+    std::size_t pinned = 0;
+    for (std::size_t m = 0; m < found_.motions.size(); ++m) {
+      if (!found_.motions[m].differs(motion)) return;
+      if (motion.pinned.empty() || found_.motions[m].pinned.empty()) continue;
+      if (places_[m].contains(VelocityBox::of(motion))) return;
+      pinned += places_[m].widened(power_of_two(-continuum_bits)).contains(VelocityBox::of(motion)) ? 1 : 0;
     }
-    if (motion.open_directions > 0 && of_mode >= 2) return;
+    if (pinned > 1) return;
     places_.push_back(VelocityBox::of(motion));
     found_.motions.push_back(std::move(motion));
-  }
-
-  bool same_states(const ContactPattern& a, const ContactPattern& b) const {
-    return std::ranges::equal(a, b, [this](const ContactState& x, const ContactState& y) {
-      return x.kind == y.kind && (exact_.dimension == 3 || x.kind != Kind::slip || x.from == y.from);
-    });
   }
 
   void close_or_split(PatternNode& node, Visit& visit) const {
@@ -188,19 +194,15 @@ class SolutionSearch {
 
   /// Where velocities are those of a continuum of motions, nearly, and nothing but narrow arcs is left to split.
   bool close_in_continuum(PatternNode& node, Visit& visit) const {
-    for (std::size_t k = 0; k < node.pattern.size(); ++k) {
-      if (!is_decided(exact_, node.pattern, k)) return false;
-    }
     const double width = widest_arc(node.pattern);
-    if (width > std::ldexp(1.0, -continuum_bits)) return false;
+    if (!is_decided(node.pattern) || width > std::ldexp(1.0, -continuum_bits)) return false;
     std::optional<BoundedVelocities> bounded;
     for (std::size_t m = 0; m < found_.motions.size(); ++m) {
       const SpatialMotion& motion = found_.motions[m];
-      if (!motion.alone.is_zero() || motion.open_directions == 0 || (width > 0 && !has_another(m))) continue;
+      if (!has_open_forces(motion) || (width > 0 && !has_another(m))) continue;
       if (!bounded) bounded = bound_velocities(problem_, node.pattern, nullptr, visit.programs);
       if (!bounded) return false;
-      const VelocityBox near = places_[m].widened(power_of_two(-continuum_bits));
-      if (!same_states(motion.mode, node.pattern) && !near.contains(bounded->box)) continue;
+      if (!places_[m].widened(power_of_two(-continuum_bits)).contains(bounded->box)) continue;
       visit.place = std::move(bounded->box);
       close(node, m, std::move(bounded->bounds));
       return true;
@@ -208,12 +210,18 @@ class SolutionSearch {
     return false;
   }
 
-  /// Whether another motion of its mode is known.
+  static bool has_open_forces(const SpatialMotion& motion) {
+    return !motion.pinned.empty() || motion.open_directions > 0;
+  }
+
+  /// Whether another motion near it is known: then they are of a continuum.
   bool has_another(std::size_t m) const {
-    const auto is_another = [&](const SpatialMotion& other) {
-      return &other != &found_.motions[m] && same_states(other.mode, found_.motions[m].mode);
-    };
-    return std::ranges::any_of(found_.motions, is_another);
+    const VelocityBox near = places_[m].widened(2 * power_of_two(-continuum_bits));
+    for (std::size_t o = 0; o < found_.motions.size(); ++o) {
+      if (o == m || !has_open_forces(found_.motions[o])) continue;
+      if (near.contains(VelocityBox::of(found_.motions[o]))) return true;
+    }
+    return false;
   }
 
   double widest_arc(const ContactPattern& pattern) const {

@@ -57,34 +57,31 @@ int sign_over_velocities(const ContactState& state, const Part& v) {
     case Kind::closed:
       return v.is_tangential() ? -1 : 0;
     default:
-      return v.is_tangential() || v.normal.sign() < 0 ? -1 : 0;
+      if (v.is_tangential() || v.normal.sign() < 0) return -1;
+      return state.kind == Kind::open ? v.normal.sign() : 0;
   }
 }
 
-/// The same of g . r for the forces (1, mu t) with |t| <= 1.
-int sign_over_cone(const Part& g, const Rational& mu) {
+/// Whether g . r >= 0 for the forces (1, mu t) with |t| <= 1.
+bool is_nonnegative_over_cone(const Part& g, const Rational& mu) {
   const Rational &x = g.tangential[0], &y = g.tangential[1];
-  const int order = (g.normal * g.normal).compare(mu * mu * (x * x + y * y));
-  return g.normal.sign() < 0 || order < 0 ? -1 : order > 0 ? 1 : 0;
+  return g.normal.sign() >= 0 && g.normal * g.normal >= mu * mu * (x * x + y * y);
 }
 
-/// Of g . r for the forces (1, -mu d), d in the arc. Over the whole circle g_T . d is greatest along g_T.
-int sign_over_arc(const ContactState& state, const Part& g, const Rational& mu) {
+/// For the forces (1, -mu d), d in the arc. Over the whole circle g_T . d is greatest along g_T.
+bool is_nonnegative_over_arc(const ContactState& state, const Part& g, const Rational& mu) {
   const auto side = [&](const Direction& d) {
     return (Rational(d.x) * g.tangential[1] - Rational(d.y) * g.tangential[0]).sign();
   };
-  if (side(state.from) > 0 && side(state.to) < 0) return sign_over_cone(g, mu);
-  const auto at = [&](const Direction& d) { return (g.normal * Rational(d.length) - mu * g.along(d)).sign(); };
-  return std::min(at(state.from), at(state.to));
+  if (side(state.from) > 0 && side(state.to) < 0) return is_nonnegative_over_cone(g, mu);
+  const auto at = [&](const Direction& d) { return (g.normal * Rational(d.length) - mu * g.along(d)).sign() >= 0; };
+  return at(state.from) && at(state.to);
 }
 
-/// 0 where the state allows r = 0.
-int sign_over_forces(const ContactState& state, const Part& g, const Rational& mu) {
-  if (state.kind == Kind::open) return 0;
-  const int sign = mu.is_zero()               ? g.normal.sign()
-                   : state.kind == Kind::slip ? sign_over_arc(state, g, mu)
-                                              : sign_over_cone(g, mu);
-  return state.kind == Kind::any ? std::min(sign, 0) : sign;
+bool is_nonnegative_over_forces(const ContactState& state, const Part& g, const Rational& mu) {
+  if (state.kind == Kind::open) return true;
+  if (mu.is_zero()) return g.normal.sign() >= 0;
+  return state.kind == Kind::slip ? is_nonnegative_over_arc(state, g, mu) : is_nonnegative_over_cone(g, mu);
 }
 
 Part part_of(std::span<const Rational> vector, std::size_t normal, std::size_t dimension) {
@@ -123,9 +120,10 @@ std::optional<ProvedBound> lower_bound(const ExactContacts& contacts, const Inte
     const std::size_t normal = contacts.normal(k);
     const int motion = sign_over_velocities(pattern[k], part_of(v, normal, contacts.dimension));
     if (motion < 0) return std::nullopt;
-    const int force = sign_over_forces(pattern[k], part_of(g, normal, contacts.dimension), contacts.mu[k]);
-    if (force < 0) return std::nullopt;
-    result.strict = result.strict || motion > 0 || force > 0;
+    if (!is_nonnegative_over_forces(pattern[k], part_of(g, normal, contacts.dimension), contacts.mu[k])) {
+      return std::nullopt;
+    }
+    result.strict = result.strict || motion > 0;
   }
   for (std::size_t i = 0; i < y.size(); ++i) result.value += y[i] * contacts.q[i];
   return result;

@@ -25,26 +25,21 @@ inline int over_velocities(const State& state, const AtContact& v) {
   if (state.kind == Kind::slip)
     return std::min(dot(v.tangential, state.from).sign(), dot(v.tangential, state.to).sign());
   if (dot(v.tangential, v.tangential).sign() > 0) return -1;
-  return state.kind == Kind::closed ? 0 : std::min(v.normal.sign(), 0);
+  const int normal = state.kind == Kind::closed ? 0 : v.normal.sign();
+  return state.kind == Kind::open ? normal : std::min(normal, 0);
 }
 
-/// The same for g . r and all forces of the friction cone but 0.
-inline int over_cone(const Number& mu, const AtContact& g) {
-  if (g.normal.sign() < 0) return -1;
-  return (square(g.normal) - square(mu) * dot(g.tangential, g.tangential)).sign();
-}
-
-/// The same for g . r and all forces r that the state allows. Where it slips these are r_N (1, -mu d), and g_T . d is
+/// Whether g . r >= 0 for all forces r that the state allows. Where it slips these are r_N (1, -mu d), and g_T . d is
 /// greatest along g_T, or at an end of the arc.
-inline int over_forces(const State& state, const Number& mu, const AtContact& g) {
+inline bool over_forces(const State& state, const Number& mu, const AtContact& g) {
   using Kind = State::Kind;
-  if (state.kind == Kind::open) return 0;
-  if (state.kind == Kind::any) return std::min(over_cone(mu, g), 0);
-  const bool arc = state.kind == Kind::slip;
+  if (state.kind == Kind::open) return true;
   const bool inside = cross(state.from, g.tangential).sign() > 0 && cross(g.tangential, state.to).sign() > 0;
-  if (!arc || inside) return over_cone(mu, g);
-  const auto end = [&](const Direction& d) { return (g.normal - mu * dot(g.tangential, d)).sign(); };
-  return std::min(end(state.from), end(state.to));
+  if (state.kind == Kind::slip && !inside) {
+    const auto end = [&](const Direction& d) { return g.normal >= mu * dot(g.tangential, d); };
+    return end(state.from) && end(state.to);
+  }
+  return g.normal.sign() >= 0 && square(g.normal) >= square(mu) * dot(g.tangential, g.tangential);
 }
 
 /// f . u + h . r >= least.
@@ -217,10 +212,10 @@ class AllSolutions {
     bool strict = false;
     for (std::size_t k = 0; k < pattern_.size(); ++k) {
       const int motion = over_velocities(pattern_[k], at_contact(problem_, v, k));
-      const int force = over_forces(pattern_[k], problem_.mu[k], at_contact(problem_, g, k));
       require(motion >= 0, "contact", k, "v . u may be negative");
-      require(force >= 0, "contact", k, "g . r may be negative");
-      strict = strict || motion > 0 || force > 0;
+      require(over_forces(pattern_[k], problem_.mu[k], at_contact(problem_, g, k)), "contact", k,
+              "g . r may be negative");
+      strict = strict || motion > 0;
     }
     return strict;
   }

@@ -147,10 +147,10 @@ std::vector<Rational> PatternProgram::strict_multipliers(const ProposedPoint& po
   for (std::size_t k = 0; k < pattern_.size(); ++k) {
     const ContactState& state = pattern_[k];
     const std::size_t i = contacts_.normal(k);
-    if (state.kind == Kind::any || state.kind == Kind::open) continue;
+    std::vector<Rational> y;
     double speed = 0;
     for (std::size_t t = 1; t < contacts_.dimension; ++t) speed += std::abs(point.u[i + t]);
-    std::vector<Rational> y;
+    if (state.kind == Kind::open && point.u[i] < none) y = excluded({{{i, Rational(-1)}}, {}});
     if (state.kind == Kind::slip && speed < none) {
       ContactForm back;  // against the middle of the arc
       const Rational a(state.from.length), b(state.to.length);
@@ -158,7 +158,6 @@ std::vector<Rational> PatternProgram::strict_multipliers(const ProposedPoint& po
       if (contacts_.dimension > 2) back.u.emplace_back(i + 2, -(Rational(state.from.y) / a + Rational(state.to.y) / b));
       y = excluded(back);
     }
-    if (y.empty() && point.r[i] < none) y = excluded({{}, {{i, Rational(-1)}}});
     if (!y.empty() && proves_empty(exact_, integers_, pattern_, y)) return y;
   }
   return {};

@@ -47,7 +47,7 @@ class PatternProgram {
   };
   Feasibility feasibility();
   /// Multipliers that prove that there is no motion because a condition that holds strictly cannot: that a contact
-  /// slips, or that it is pressed. Empty where it can. After feasibility(), where that found a point.
+  /// slips, or that it opens. Empty where it can. After feasibility(), where that found a point.
   std::vector<Rational> strict_multipliers(const ProposedPoint& point);
   /// Multipliers that prove that a form is at least `least`; empty where none were found. After feasibility(), where
   /// that found a point.
