@@ -190,11 +190,9 @@ class All {
       const bool slips = c.name.rfind("slip", 0) == 0;
       if (c.name == "any" || c.name == "open") need(v[i] >= 0, "v");
       if (!slips && c.name != "stick") need(vT[0] == 0 && vT[1] == 0, "v");
+      more = more || (c.name == "open" && v[i] > 0);
       const Q room = N * N - m * m * dot(gT, gT);
-      if (c.name == "any" || c.name == "closed" || c.name == "stick") {
-        need(N >= 0 && room >= 0, "g");
-        more = more || (c.name != "any" && N > 0 && room > 0);
-      }
+      if (!slips && c.name != "open") need(N >= 0 && room >= 0, "g");
       if (!slips) continue;
       const Point one = c.name == "slip-" ? Point{-1, 0} : Point{1, 0};
       const Point &a = c.name == "slip" ? c.a : one, &b = c.name == "slip" ? c.b : one;
@@ -205,7 +203,6 @@ class All {
       const bool within = area != 0 && cross(gT, b) / area > 0 && cross(a, gT) / area > 0;
       const Q at_a = N - m * dot(gT, a), at_b = N - m * dot(gT, b);
       need(within ? N >= 0 && room >= 0 : at_a >= 0 && at_b >= 0, "g");
-      more = more || (within ? N > 0 && room > 0 : at_a > 0 && at_b > 0);
     }
     return {value, more};
   }

@@ -52,7 +52,7 @@ inline const std::string kRestsOrLifts =
     "  known 1\n"
     "end\n";
 
-/// u = r: it touches without a force. That it is not pressed follows because more than 0 is proved.
+/// u = r: it touches without a force. That it does not lift follows because more than 0 is proved.
 inline const std::string kTouches =
     "slipproof-contact 1\n"
     "dimension 1 free 0 contacts 1\n"
@@ -63,8 +63,8 @@ inline const std::string kTouches =
     "all-solutions 1\n"
     "motion exact 0\n"
     "decide 0\n"
-    "  known 0  0  -1\n"
-    "  empty 1\n"
+    "  empty -1\n"
+    "  known 0\n"
     "end\n";
 
 /// Two contacts share a weight of 1, and the second one rubs, r = (t, -t), u_T = 2 - t for any t from 0 to 1. For t =
@@ -82,12 +82,9 @@ inline const std::string kSharedWeight =
     "decide 0\n"
     "  decide 1\n"
     "    empty -1 0 0 0\n"
-    "    slips 1\n"
-    "      empty 0 0 1 1\n"
-    "      known 0  1 0 -1 0  -1 0 1 0  0 1 0 0  0 -1 0 0  0 0 1 1  0 0 0 -1\n"
-    "      empty 0 0 0 1\n"
+    "    empty -1 0 1 0\n"
     "  decide 1\n"
-    "    known 0  0 1 0 0  0 -1 0 0  -1 0 1 0  1 0 -1 0  0 0 0 1  0 0 0 -1\n"
+    "    empty 1 0 -1 0\n"
     "    slips 1\n"
     "      empty 0 0 1 1\n"
     "      known 0  0 1 0 0  0 -1 0 0  0 0 1 1  0 0 0 -1\n"

@@ -73,7 +73,7 @@ void add_cases(Tree& tree, const Solved& problem, std::size_t k, bool holds) {
   const Numbers r(problem.x.begin() + first, problem.x.begin() + first + dimension);
   Numbers u(problem.w.begin() + first, problem.w.begin() + first + dimension);
   u.resize(3);
-  const bool open = r[0] == 0, sticks = !open && u[1] == 0 && u[2] == 0, slips = !open && !sticks;
+  const bool open = u[0] > 0, sticks = !open && u[1] == 0 && u[2] == 0, slips = !open && !sticks;
   const std::string contact = std::to_string(k);
   tree.split(" decide " + contact);
   add_cases(tree, problem, k + 1, holds && open);
@@ -98,16 +98,15 @@ struct SmallCase {
   std::string first, second;  ///< its mode; in the plane `second` means nothing
 };
 
+/// Whether a solution does.
 bool lies_in(const Small& problem, const SmallCase& pattern, const Numbers& x) {
-  if (pattern.zero_rows.empty()) return x[0] == 0 && x[1] == 0;
   const Numbers u = problem.motion(x);
   for (const std::size_t i : pattern.zero_rows) {
     if (u[i] != 0) return false;
   }
-  if (pattern.others.empty()) return x[0] > 0 && (problem.planar || x[1] > 0);
-  const auto& s = pattern.force;
-  if (s[0] * x[1] != s[1] * x[0] || s[0] * x[0] + s[1] * x[1] <= 0) return false;
-  return !problem.planar || u[1] * x[1] < 0;
+  if (problem.planar && !pattern.others.empty())
+    return pattern.zero_rows.empty() ? u[0] > 0 : u[1] * pattern.force[1] < 0;
+  return std::all_of(pattern.others.begin(), pattern.others.end(), [&](std::size_t i) { return u[i] > 0; });
 }
 
 /// y at the row that is 0 such that what y and h make of forces does not matter.
