@@ -1,5 +1,9 @@
-// Lists of all solutions in the second reading: the tree of cases.
-#include "contact/convex/second_motions.hpp"
+// Lists of all solutions in the second reading: the motions, and the tree of cases.
+#include <array>
+#include <functional>
+#include <optional>
+
+#include "contact/convex/second_enclosure.hpp"
 
 namespace slipproof::test::second {
 
@@ -20,23 +24,103 @@ Q cross(const Point& x, const Point& y) {
   return x[0] * y[1] - x[1] * y[0];
 }
 
-class All : Motions {
+struct Listed {
+  std::optional<Box> box;  ///< otherwise exact
+  std::optional<Q> alone;
+  Vec r, within;
+  std::vector<Interval> u;
+};
+
+class All {
  public:
-  All(const Certificate& problem, Words& words) : Motions(problem, words) { read(); }
+  All(const Certificate& problem, Words& words)
+      : given_(problem), words_(words), n_(problem.D * problem.K), pattern_(problem.K) {
+    p_.D = problem.D, p_.K = problem.K, p_.n = n_, p_.mu = problem.mu;
+    p_.c.resize(n_);
+    p_.A.assign(n_, Vec(n_));
+    read();
+  }
 
  private:
+  bool rubs(std::size_t k) const { return p_.D > 1 && p_.mu[k] != 0; }
+  std::size_t row(std::size_t k) const { return p_.D * k; }
+
+  /// What is wrong first waits until all is read.
+  void when_read(const std::function<void()>& check) {
+    if (no_) return;
+    try {
+      check();
+    } catch (const No& why) {
+      no_ = why;
+    }
+  }
+
   void read() {
     const std::size_t M = words_.count(100000000);
     Mat B;
-    if (p_.F > 0) {
+    if (given_.F > 0) {
       words_.expect("eliminated");
-      B = words_.entries(p_.F, p_.F);
+      B = words_.entries(given_.F, given_.F);
     }
-    when_read([&] { need(p_.law == "coulomb", "law"), eliminate(B); });
+    when_read([&] { need(given_.law == "coulomb", "law"), eliminate(B); });
     for (std::size_t m = 0; m < M; ++m) read_motion();
-    pattern_.resize(p_.K);
     read_node();
     if (no_) throw No(*no_);
+  }
+
+  /// Leaves w = W r + q. Velocities for no force, and for each force of 1, give q and the columns of W.
+  void eliminate(const Mat& B) {
+    const std::size_t F = given_.F;
+    for (std::size_t i = 0; i < F; ++i) {
+      for (std::size_t j = 0; j < F; ++j) {
+        Q sum;
+        for (std::size_t k = 0; k < F; ++k) sum += B[i][k] * given_.A[k][j];
+        need(sum == (i == j ? 1 : 0), "inverse");
+      }
+    }
+    const auto velocities = [&](std::size_t j) {
+      Vec x(given_.n);
+      if (j < n_) x[F + j] = 1;
+      const Vec w = given_.motion(x);
+      for (std::size_t i = 0; i < F; ++i) {
+        for (std::size_t k = 0; k < F; ++k) x[i] -= B[i][k] * w[k];
+      }
+      const Vec all = given_.motion(x);
+      for (std::size_t i = 0; i < F; ++i) need(all[i] == 0, "free row");
+      return Vec(all.begin() + static_cast<std::ptrdiff_t>(F), all.end());
+    };
+    p_.c = velocities(n_);
+    for (std::size_t j = 0; j < n_; ++j) {
+      const Vec u = velocities(j);
+      for (std::size_t i = 0; i < n_; ++i) p_.A[i][j] = u[i] - p_.c[i];
+    }
+  }
+
+  void read_motion() {
+    words_.expect("motion");
+    Listed& m = motions_.emplace_back();
+    m.u.resize(n_);
+    m.within.resize(n_);
+    if (words_.take("exact")) {
+      m.r = words_.numbers(n_);
+    } else {
+      words_.expect("box");
+      m.box.emplace(p_, words_, false);
+      if (words_.take("alone")) m.alone = words_.number();
+    }
+    if (!m.alone && words_.take("within")) m.within = words_.numbers(n_);
+    when_read([&] {
+      need(!m.alone || (*m.alone >= 1 && m.box->pinned.empty()), "alone");
+      for (const Q& e : m.within) need(e >= 0, "within");
+      check_motion(m);
+    });
+  }
+
+  void check_motion(Listed& m) const {
+    if (m.box) m.box->check(m.alone.value_or(0));
+    const Vec u = m.box ? Vec() : p_.motion(m.r);
+    for (std::size_t k = 0; k < p_.K && !m.box; ++k) need(lawful(p_, k, m.r, u), "motion");
+    for (std::size_t i = 0; i < n_; ++i) m.u[i] = m.box ? m.box->w(i) : Interval{u[i], u[i]};
   }
 
   /// Reads a child, in which contact k is in another state.
@@ -93,9 +177,9 @@ class All : Motions {
     Q value;
     Vec v = f, g = h;
     for (std::size_t i = 0; i < n_; ++i) {
-      value += y[i] * q_[i];
+      value += y[i] * p_.c[i];
       v[i] -= y[i];
-      for (std::size_t j = 0; j < n_; ++j) g[j] += W_[i][j] * y[i];
+      for (std::size_t j = 0; j < n_; ++j) g[j] += p_.A[i][j] * y[i];
     }
     for (std::size_t k = 0; k < p_.K; ++k) {
       const std::size_t i = row(k);
@@ -106,11 +190,9 @@ class All : Motions {
       const bool slips = c.name.rfind("slip", 0) == 0;
       if (c.name == "any" || c.name == "open") need(v[i] >= 0, "v");
       if (!slips && c.name != "stick") need(vT[0] == 0 && vT[1] == 0, "v");
+      more = more || (c.name == "open" && v[i] > 0);
       const Q room = N * N - m * m * dot(gT, gT);
-      if (c.name == "any" || c.name == "closed" || c.name == "stick") {
-        need(N >= 0 && room >= 0, "g");
-        more = more || (c.name != "any" && N > 0 && room > 0);
-      }
+      if (!slips && c.name != "open") need(N >= 0 && room >= 0, "g");
       if (!slips) continue;
       const Point one = c.name == "slip-" ? Point{-1, 0} : Point{1, 0};
       const Point &a = c.name == "slip" ? c.a : one, &b = c.name == "slip" ? c.b : one;
@@ -121,7 +203,6 @@ class All : Motions {
       const bool within = area != 0 && cross(gT, b) / area > 0 && cross(a, gT) / area > 0;
       const Q at_a = N - m * dot(gT, a), at_b = N - m * dot(gT, b);
       need(within ? N >= 0 && room >= 0 : at_a >= 0 && at_b >= 0, "g");
-      more = more || (within ? N > 0 && room > 0 : at_a > 0 && at_b > 0);
     }
     return {value, more};
   }
@@ -134,55 +215,64 @@ class All : Motions {
     });
   }
 
-  /// The form has entries f for u and h for r.
+  /// That f . u + h . r >= least.
   using Entries = std::vector<std::pair<std::size_t, Q>>;
-  void read_bound(const std::function<std::pair<Entries, Q>()>& bound, bool of_forces) {
+  void read_bound(const Entries& f, const Entries& h, const Q& least) {
     const Vec y = words_.numbers(n_);
     when_read([&] {
-      const auto [entries, least] = bound();
-      Vec form(n_);
-      for (const auto& [i, a] : entries) form[i] = a;
-      need((of_forces ? proved(Vec(n_), form, y) : proved(form, Vec(n_), y)).first >= least, "bound");
+      Vec of_u(n_), of_r(n_);
+      for (const auto& [i, a] : f) of_u[i] = a;
+      for (const auto& [i, a] : h) of_r[i] = a;
+      need(proved(of_u, of_r, y).first >= least, "bound");
     });
   }
 
   void read_known() {
-    const std::size_t which = words_.count(motions_.size());
-    const Listed& m = motions_[which];
-    for (std::size_t i = 0; i < n_ && m.exact; ++i) {
+    const Listed& m = motions_[words_.count(motions_.size())];
+    if (m.alone) return read_mode(m);
+    for (std::size_t i = 0; i < n_; ++i) {
+      const Q low = m.u[i].low - m.within[i], high = m.u[i].high + m.within[i];
       const std::string& state = pattern_[i / p_.D].name;
-      const bool zero = state == "stick" || (i % p_.D == 0 && state != "any" && state != "open");
-      if (zero) when_read([&] { need(m.u[i].low == 0, "row"); });
-      for (int sign = 1; !zero && sign >= -1; sign -= 2) {
-        read_bound([&] { return std::pair(Entries{{i, sign}}, Q(sign * m.u[i].low)); }, false);
+      if (state == "stick" || (i % p_.D == 0 && state != "any" && state != "open")) {
+        when_read([&] { need(low <= 0 && high >= 0, "row"); });
+        continue;
       }
-    }
-    if (m.exact) return;
-    when_read([&] { need(m.alone(), "alone"); });
-    for (std::size_t k = 0; k < p_.K; ++k) {
-      const std::string& mode = m.modes[k];
-      const std::string& state = pattern_[k].name;
-      when_read([&] { need(state == (mode.rfind("slide", 0) == 0 ? "slip" + mode.substr(5) : mode), "mode"); });
-      const std::size_t f = m.first[k], i = row(k);
-      const std::size_t own = mode == "open" ? 0 : mode == "stick" ? p_.D : 1;
-      for (std::size_t t = 0; t < own; ++t) {
-        read_bound([&] { return std::pair(Entries{{i + t, 1}}, Q(m.z[f + t] - m.P[f + t])); }, true);
-        read_bound([&] { return std::pair(Entries{{i + t, -1}}, Q(-m.z[f + t] - m.P[f + t])); }, true);
-      }
-      if (mode != "slide") continue;
-      const Point a = pattern_[k].a, b = pattern_[k].b, sum{a[0] + b[0], a[1] + b[1]};
-      const Q c = 1 + dot(a, b), v = m.z[f + 3], P = m.P[f + 3];
-      when_read([&] {
-        for (std::size_t t = 0; t < 2; ++t) {
-          for (const Q& x : {a[t], b[t], Q(sum[t] / c)}) need(absolute(x - m.z[f + 1 + t]) <= m.P[f + 1 + t], "arc");
-        }
-      });
-      read_bound([&] { return std::pair(Entries{{i + 1, -sum[0]}, {i + 2, -sum[1]}}, Q(-(v + P) * c)); }, false);
-      read_bound([&] { return std::pair(Entries{{i + 1, sum[0]}, {i + 2, sum[1]}}, Q((v - P) * (1 + c / 2))); }, false);
+      read_bound({{i, 1}}, {}, low);
+      read_bound({{i, -1}}, {}, -high);
     }
   }
 
+  /// The motion is the one of its mode.
+  void read_mode(const Listed& m) {
+    const Box& box = *m.box;
+    const auto around = [&](std::size_t j, int side) { return Q(box.z[j] + side * *m.alone * box.radius[j]); };
+    for (std::size_t k = 0; k < p_.K; ++k) {
+      const std::string& mode = box.mode[k];
+      const std::string state = mode.rfind("slide", 0) == 0   ? "slip" + mode.substr(5)
+                                : mode == "stick" && !rubs(k) ? "closed"
+                                                              : mode;
+      when_read([&] { need(pattern_[k].name == state, "mode"); });
+      for (std::size_t i = row(k); i < row(k + 1); ++i) {
+        if (box.at[i] == none) continue;
+        read_bound({}, {{i, 1}}, around(box.at[i], -1));
+        read_bound({}, {{i, -1}}, -around(box.at[i], 1));
+      }
+      if (mode != "slide") continue;
+      const Point &a = pattern_[k].a, &b = pattern_[k].b;
+      const std::size_t i = row(k);
+      const Q x = a[0] + b[0], y = a[1] + b[1], c = 1 + dot(a, b), m = p_.mu[k];
+      read_bound({{i + 1, -x}, {i + 2, -y}}, {{i, around(box.slip[k], 1) * m * c}}, 0);
+      read_bound({{i + 1, x}, {i + 2, y}}, {{i, -around(box.slip[k], -1) * m * (1 + c / 2)}}, 0);
+    }
+  }
+
+  const Certificate& given_;
+  Certificate p_;  ///< without free unknowns
+  Words& words_;
+  std::size_t n_;
+  std::vector<Listed> motions_;
   std::vector<Case> pattern_;
+  std::optional<No> no_;
 };
 
 }  // namespace

@@ -154,6 +154,8 @@ inline Q dot(const Vec& a, const Vec& b) {
   return sum;
 }
 
+/// Whether contact k obeys the law.
+bool lawful(const Certificate& p, std::size_t k, const Vec& x, const Vec& w);
 /// Checks an enclosure, or a ball; throws No.
 void enclosure(const Certificate& p, Words& words, bool ball);
 /// Checks a list of all solutions; throws No.
