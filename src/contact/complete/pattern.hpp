@@ -30,7 +30,8 @@ Integer cross(const Direction& a, const Direction& b);
 ///   closed  r_N >= 0, u_N = 0         contains stick and slip
 ///   stick   u = 0, |r_T| <= mu r_N
 ///   slip    r_N >= 0, u_N = 0, u_T = |u_T| d, not 0, and r_T = -mu r_N d, for a direction d from `from` to `to`
-/// So what kinematics closes is never open, with or without a force. Without friction closed is all there is to decide: r_T = 0, and u_T may be anything.
+/// So what kinematics closes is never open, with or without a force. Without friction closed is all there is to decide:
+/// r_T = 0, and u_T may be anything.
 struct ContactState {
   enum class Kind : std::uint8_t { any, open, closed, stick, slip };
   Kind kind = Kind::any;

@@ -56,8 +56,10 @@ class AllSolutions {
     const Matrix inverse = problem.free > 0 ? reader.entries("eliminated", problem.free, problem.free) : Matrix();
     problem_.dimension = problem.dimension;
     problem_.mu = problem.mu;
-    judge([&] { problem.require_coulomb(); });
-    judge([&] { problem_ = reduced(problem, inverse); });
+    judge("contacts", problem.contacts(), [&] {
+      problem.require_coulomb();
+      problem_ = reduced(problem, inverse);
+    });
     while (motions_.size() < motions) {
       ListedMotion& motion = motions_.emplace_back(problem_, reader);
       judge("motion", motions_.size() - 1, [&] { motion.check(problem_); });
@@ -91,25 +93,15 @@ class AllSolutions {
     bool node = true;
   };
 
+  /// `node 3: REASON`.
   template <class Check>
-  void judge(const Check& check) {
+  void judge(const char* what, std::size_t index, const Check& check) {
     if (rejected_) return;
     try {
       check();
     } catch (const Rejected& reason) {
-      rejected_ = reason;
+      rejected_.emplace(what + (" " + std::to_string(index)) + ": " + reason.what());
     }
-  }
-  /// `node 3: REASON`.
-  template <class Check>
-  void judge(const char* what, std::size_t index, const Check& check) {
-    judge([&] {
-      try {
-        check();
-      } catch (const Rejected& reason) {
-        throw Rejected(what + (" " + std::to_string(index)) + ": " + reason.what());
-      }
-    });
   }
   template <class Check>
   void judge_node(const Check& check) {
@@ -199,30 +191,25 @@ class AllSolutions {
     }
   }
 
-  /// Proves that f . u + h . r >= y . q in the pattern; true: more than that.
-  bool check_multipliers(const Bound& bound, const Vector& y) const {
+  /// y . q, which f . u + h . r is at least in the pattern; `strict`: and more than this.
+  Number proved(const Bound& bound, const Vector& y, bool& strict) const {
     Vector v, g(y.size());
     for (const Number& component : y) v.push_back(-component);
     for (const auto& [i, f] : bound.f) v[i] += f;
     for (const auto& [i, h] : bound.h) g[i] += h;
+    Number sum;
     for (std::size_t i = 0; i < y.size(); ++i) {
       if (y[i].sign() == 0) continue;
+      sum += y[i] * problem_.c[i];
       for (const auto& [j, a] : problem_.A[i]) g[j] += a * y[i];
     }
-    bool strict = false;
     for (std::size_t k = 0; k < pattern_.size(); ++k) {
       const int motion = over_velocities(pattern_[k], at_contact(problem_, v, k));
+      const bool force = over_forces(pattern_[k], problem_.mu[k], at_contact(problem_, g, k));
       require(motion >= 0, "contact", k, "v . u may be negative");
-      require(over_forces(pattern_[k], problem_.mu[k], at_contact(problem_, g, k)), "contact", k,
-              "g . r may be negative");
+      require(force, "contact", k, "g . r may be negative");
       strict = strict || motion > 0;
     }
-    return strict;
-  }
-
-  Number value(const Vector& y) const {
-    Number sum;
-    for (std::size_t i = 0; i < y.size(); ++i) sum += y[i] * problem_.c[i];
     return sum;
   }
 
@@ -231,8 +218,8 @@ class AllSolutions {
   void read_empty() {
     const Vector y = read_multipliers();
     judge_node([&] {
-      const bool strict = check_multipliers({}, y);
-      const int sign = value(y).sign();
+      bool strict = false;
+      const int sign = proved({}, y, strict).sign();
       require(sign > 0 || (sign == 0 && strict), "y . q is not positive, and not 0 where more than that is proved");
     });
   }
@@ -241,9 +228,9 @@ class AllSolutions {
   void read_bound(const Claim& claim) {
     const Vector y = read_multipliers();
     judge_node([&] {
+      bool strict = false;
       const Bound bound = claim();
-      check_multipliers(bound, y);
-      require(value(y) >= bound.least, "y . q is less than the bound");
+      require(proved(bound, y, strict) >= bound.least, "y . q is less than the bound");
     });
   }
 

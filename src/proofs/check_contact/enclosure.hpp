@@ -65,8 +65,6 @@ class Neighbourhood {
   }
 
  protected:
-  int slip_sign(std::size_t k) const { return signs_[k][0]; }
-
   /// The equations that are kept have a zero within the radii of the center.
   virtual void check_zero() const = 0;
 
@@ -80,6 +78,7 @@ class Neighbourhood {
 
   const Problem& problem_;
   std::vector<Mode> modes_;
+  std::vector<Signs> signs_;
   std::size_t unknowns_ = 0;                    ///< and equations
   std::map<std::size_t, std::size_t> unknown_;  ///< the place among the unknowns of a component of x that is one
   Vector center_, radius_;                      ///< radius 0 where pinned
@@ -287,7 +286,6 @@ class Neighbourhood {
   }
 
   bool opens_ = false;  ///< by the associated law, what slides
-  std::vector<Signs> signs_;
   std::vector<Equation> equations_;
 };
 

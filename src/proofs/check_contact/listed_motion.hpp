@@ -10,27 +10,25 @@ inline Problem reduced(const Problem& problem, const Matrix& B) {
   Problem result;
   result.dimension = problem.dimension;
   result.mu = problem.mu;
-  const std::size_t free = problem.free;
-  Matrix solved(free);  // B A - I
-  Vector shift(free);   // B c
+  const std::size_t free = problem.free, constant = problem.size();  // as if this were a column of A
+  Matrix solved(free);                                               // B A
   for (std::size_t i = 0; i < free; ++i) {
-    solved[i][i] = -1;
     for (const auto& [k, b] : B[i]) {
-      shift[i] += b * problem.c[k];
       for (const auto& [j, a] : problem.A[k]) solved[i][j] += b * a;
+      solved[i][constant] += b * problem.c[k];
     }
-    for (const auto& [j, a] : solved[i]) require(j >= free || a.sign() == 0, "row", i, "B A_FF is not I");
+    for (std::size_t j = 0; j < free; ++j) require(solved[i][j] == Number(i == j), "row", i, "B A_FF is not I");
   }
   for (std::size_t i = free; i < problem.size(); ++i) {
-    Row& row = result.A.emplace_back();
-    Number& constant = result.c.emplace_back(problem.c[i]);
+    Row row{{constant, problem.c[i]}};
     for (const auto& [j, a] : problem.A[i]) {
-      if (j >= free) row[j - free] += a;
-      if (j >= free) continue;
-      constant += -(a * shift[j]);
-      for (const auto& [l, s] : solved[j]) {
-        if (l >= free) row[l - free] += -(a * s);
-      }
+      if (j >= free) row[j] += a;
+      for (const auto& [l, s] : j < free ? solved[j] : Row()) row[l] += -(a * s);
+    }
+    result.c.push_back(row.extract(constant).mapped());
+    Row& own = result.A.emplace_back();
+    for (const auto& [j, a] : row) {
+      if (j >= free) own.emplace(j - free, a);
     }
   }
   return result;
@@ -73,7 +71,7 @@ class MotionBox : public Enclosure {
     const Mode mode = modes_[k];
     if (mode == Mode::open) return state.kind == Kind::open;
     if (mode == Mode::stick) return state.kind == (problem_.has_friction(k) ? Kind::stick : Kind::closed);
-    const bool same_side = mode == Mode::slide || state.from[0].sign() == slip_sign(k);
+    const bool same_side = mode == Mode::slide || state.from[0].sign() == signs_[k][0];
     return mode != Mode::touch && state.kind == Kind::slip && same_side;
   }
 
