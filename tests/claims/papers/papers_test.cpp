@@ -1,6 +1,7 @@
 // All papers in proofs/: their verdicts, their certificates, their pages.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -70,18 +71,17 @@ TEST_CASE("the claims that the judge in Coq reads are those of the papers") {
   }
 }
 
-TEST_CASE("every statement of every paper has a certificate that is accepted") {
-  std::size_t accepted = 0;
-  slipproof::check::Checker checker;
+TEST_CASE("every statement of every paper has a certificate that tests/proofs/check accepts") {
+  const auto checked = slipproof::check::certificates_in(papers);
+  std::size_t certificates = 0;
   for (const auto& folder : folders()) {
     for (const auto& statement : slipproof::statements_in(folder)) {
       CAPTURE(statement.string());
-      const auto verdict = checker.check(slipproof::certificate_of(statement)).verdict;
-      CHECK(verdict == slipproof::check::Verdict::accepted);
-      ++accepted;
+      CHECK(std::binary_search(checked.begin(), checked.end(), slipproof::certificate_of(statement)));
+      ++certificates;
     }
   }
-  CHECK(accepted > 1000);
+  CHECK(certificates > 1000);
 }
 
 TEST_CASE("mutants of the papers do not survive") {
