@@ -188,6 +188,13 @@ bool VelocityBox::contains(const VelocityBox& other) const {
   return true;
 }
 
+bool VelocityBox::overlaps(const VelocityBox& other) const {
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    if (other.high[i] < low[i] || other.low[i] > high[i]) return false;
+  }
+  return true;
+}
+
 VelocityBox VelocityBox::widened(const Rational& distance) const {
   VelocityBox result = *this;
   for (Rational& x : result.low) x -= distance;

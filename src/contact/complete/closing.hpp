@@ -28,6 +28,7 @@ struct VelocityBox {
   static VelocityBox of(const SpatialMotion& motion);
   void add(const VelocityBox& other);
   bool contains(const VelocityBox& other) const;
+  bool overlaps(const VelocityBox& other) const;
   VelocityBox widened(const Rational& distance) const;
 };
 

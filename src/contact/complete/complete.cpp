@@ -28,6 +28,8 @@ class SolutionSearch {
     while (!level.empty() && found_.nodes.size() < options_.most_nodes && work_with(level.size()) <= options_.effort) {
       level = next_generation(level);
     }
+    while (join_two_places()) {
+    }
     for (std::size_t m = 0; m < places_.size(); ++m) found_.within.push_back(distances(m));
   }
 
@@ -230,6 +232,23 @@ class SolutionSearch {
       if (state.kind == Kind::slip && exact_.dimension == 3) width = std::max(width, state.width());
     }
     return width;
+  }
+
+  /// Places that overlap become one, that of the first motion.
+  bool join_two_places() {
+    for (std::size_t m = 0; m < places_.size(); ++m) {
+      for (std::size_t n = m + 1; n < places_.size(); ++n) {
+        const bool alone = !found_.motions[m].alone.is_zero() || !found_.motions[n].alone.is_zero();
+        if (alone || !places_[m].overlaps(places_[n]) || places_[m].contains(places_[n])) continue;
+        places_[m].add(places_[n]);
+        places_[n] = VelocityBox::of(found_.motions[n]);
+        for (PatternNode& node : found_.nodes) {
+          if (node.end == End::motion && node.motion == n) node.motion = m;
+        }
+        return true;
+      }
+    }
+    return false;
   }
 
   /// How far from a motion its place reaches, in each row.
