@@ -11,6 +11,7 @@
 #include "proofs/check_contact/all_solutions_examples.hpp"
 #include "proofs/check_contact/record.hpp"
 #include "support/how_many.hpp"
+#include "support/run_program.hpp"
 
 using namespace slipproof;
 using namespace slipproof::test;
@@ -173,8 +174,11 @@ TEST_CASE("mutants of certificates of all solutions are judged alike by two chec
   const int mutants = how_many("SLIPPROOF_LAW_MUTANTS", 150) * 10;
   std::map<std::string, int> count;
   std::uint64_t seed = 0;
-  for (const std::string& text : {kRests, kRestsInBox, kRestsOrLifts, kTouches, kSlides, kSlidesInBox, kParadox,
-                                  kSticks, kSlidesInSpace, kNoMotion, kThreeContacts}) {
+  std::string coupled =  // in space, to a free unknown
+      read_file(SLIPPROOF_SOURCE_DIR "/tests/proofs/verified/all_solutions/with-free-unknown.cert");
+  coupled.erase(coupled.find('#'), coupled.find("dimension") - coupled.find('#'));
+  for (const std::string& text : {kRests, kRestsInBox, kRestsOrLifts, kTouches, kSharedWeight, kSlides, kSlidesInBox,
+                                  kParadox, kSticks, kSlidesInSpace, kNearASlide, kNoMotion, kThreeContacts, coupled}) {
     CAPTURE(text);
     REQUIRE(first_reading(text) == "accepted");
     REQUIRE(second_reading(text) == "accepted");
