@@ -202,6 +202,15 @@ VelocityBox VelocityBox::widened(const Rational& distance) const {
   return result;
 }
 
+VelocityBox place_of(const CompleteSolutions& found, std::size_t motion) {
+  VelocityBox place = VelocityBox::of(found.motions[motion]);
+  for (std::size_t i = 0; i < found.within[motion].size(); ++i) {
+    place.low[i] -= found.within[motion][i];
+    place.high[i] += found.within[motion][i];
+  }
+  return place;
+}
+
 std::optional<BoundedVelocities> bound_velocities(const SearchProblem& problem, const ContactPattern& pattern,
                                                   const VelocityBox* limits, std::size_t& programs) {
   const std::size_t n = problem.exact.size();

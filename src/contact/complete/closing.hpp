@@ -32,6 +32,9 @@ struct VelocityBox {
   VelocityBox widened(const Rational& distance) const;
 };
 
+/// Where u is in all motions that count as this one of the list.
+VelocityBox place_of(const CompleteSolutions& found, std::size_t motion);
+
 /// Where u is in all motions of a pattern, and bounds that prove it, of each row that is not 0 by definition.
 struct BoundedVelocities {
   VelocityBox box;

@@ -106,16 +106,6 @@ std::optional<SolutionTree> solution_tree(const MixedProblem& problem, Work effo
 
 namespace {
 
-/// Where the velocities of a motion's place are, in scaled units: of all that count as it.
-VelocityBox place_of(const CompleteSolutions& found, std::size_t m) {
-  VelocityBox place = VelocityBox::of(found.motions[m]);
-  for (std::size_t i = 0; i < found.within[m].size(); ++i) {
-    place.low[i] -= found.within[m][i];
-    place.high[i] += found.within[m][i];
-  }
-  return place;
-}
-
 std::vector<Range> ranges(const VelocityBox& box, const std::vector<Rational>& units) {
   std::vector<Range> result;
   for (std::size_t i = 0; i < box.low.size(); ++i) {

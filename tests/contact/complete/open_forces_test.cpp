@@ -24,15 +24,6 @@ ContactBody block(const Rational& push, const Rational& twist) {
   return result;
 }
 
-VelocityBox place_of(const CompleteSolutions& found, std::size_t m) {
-  VelocityBox place = VelocityBox::of(found.motions[m]);
-  for (std::size_t i = 0; i < found.within[m].size(); ++i) {
-    place.low[i] -= found.within[m][i];
-    place.high[i] += found.within[m][i];
-  }
-  return place;
-}
-
 }  // namespace
 
 TEST_CASE("a block that slips without turning has one motion, however its feet share the weight") {
