@@ -8,6 +8,14 @@ bool AllSolutions::one() const {
   return complete() && solutions.size() == 1 && !solutions[0].is_family() && solutions[0].exists && solutions[0].alone;
 }
 
+bool AllSolutions::several_motions() const {
+  return solutions.size() > 1 || std::ranges::any_of(solutions, [](const auto& s) { return !s.others.empty(); });
+}
+
+bool AllSolutions::are_points() const {
+  return std::ranges::all_of(solutions, [](const auto& s) { return s.alone && !s.is_family(); });
+}
+
 std::size_t AllSolutions::families() const {
   return static_cast<std::size_t>(std::ranges::count_if(solutions, &FoundSolution::is_family));
 }

@@ -39,7 +39,11 @@ struct AllSolutions {
   bool complete() const { return unexamined.empty(); }
   bool none() const { return complete() && solutions.empty(); }
   bool one() const;
+  /// Whether two with different velocities are known.
+  bool several_motions() const;
   std::size_t families() const;
+  /// Whether each is the only one where it is.
+  bool are_points() const;
   /// Those of no family.
   std::size_t singles() const { return solutions.size() - families(); }
 

@@ -122,11 +122,13 @@ class ContactCase {
   }
 
   bool certainly_several() const {
-    return j_.other || !j_.other_exact.empty() || (j_.tree && j_.all->solutions.size() > 1);
+    return j_.other || !j_.other_exact.empty() || (j_.tree && j_.all->several_motions());
   }
   bool certainly_one() const { return j_.unique_by || (j_.every && j_.every->unique()) || (j_.all && j_.all->one()); }
-  /// Whether the known solution is the nearest there is.
-  bool knows_all() const { return j_.all || j_.unique_by || (j_.every && j_.every->unique()); }
+  /// Whether the known solution is the nearest there is. Of families in space it need not be.
+  bool knows_all() const {
+    return (j_.all && (!j_.tree || j_.all->are_points())) || j_.unique_by || (j_.every && j_.every->unique());
+  }
 
  private:
   /// What follows for every solution, around the one that is known, or around the answer with its forces improved.

@@ -4,7 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/algebra/sparse_matrix.hpp"
+#include "contact/formats/read_files.hpp"
 #include "contact/judge/certificate.hpp"
+#include "contact/judge/find.hpp"
 #include "contact/judge/judge.hpp"
 #include "proofs/check_contact/check_contact.hpp"
 
@@ -71,4 +73,25 @@ TEST_CASE("free unknowns are eliminated in certificates, too") {
   const ContactJudgement rest = judged_among_all(problem, {0, 0, 0, 2, -1, 0});
   CHECK(rest.verdict == ContactVerdict::unique);
   check_claim_of(problem, rest, "one motion and no other");
+}
+
+TEST_CASE("a block whose motion depends on how its feet share the weight moves in several ways") {
+  const ProblemFile file =
+      read_problem_file(std::string(SLIPPROOF_SOURCE_DIR) + "/cases/contact-problems/turning-block.json").problem;
+  const MixedProblem problem = mixed_problem(file);
+  const ContactJudgement slips = judged_among_all(problem, approximate_solution(problem, {}));
+  CHECK(slips.verdict == ContactVerdict::ambiguous);
+  REQUIRE(slips.all);
+  REQUIRE(slips.all->solutions.size() == 1);
+  const FoundSolution& continuum = slips.all->solutions[0];
+  CHECK(continuum.is_family());
+  CHECK(!continuum.others.empty());
+  REQUIRE(continuum.around.size() == 12);
+  for (std::size_t i = 0; i < 12; ++i) {
+    for (const auto& other : continuum.others) {
+      CHECK(*other[i].lower >= *continuum.around[i].lower);
+      CHECK(*other[i].upper <= *continuum.around[i].upper);
+    }
+  }
+  check_claim_of(problem, slips, "at least");
 }
