@@ -21,7 +21,7 @@ def solutions_of(problem, states):
         try:
             return [s for s in (one_slip, two_slips)[slips - 1](pattern, turn) if s]
         except (Undecided, ZeroDivisionError) as failure:
-            reason = str(failure)
+            reason = str(failure) or "a divisor that may be 0"
     raise Undecided(reason)
 
 

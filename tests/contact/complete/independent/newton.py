@@ -91,7 +91,7 @@ class Pattern:
         J[:, own, own] += turned[..., 0] * u[..., 1] - turned[..., 1] * u[..., 0]
         return -np.linalg.solve(J, value[..., None])[..., 0]
 
-    def angles(self, rng, starts, steps=30):
+    def angles(self, rng, starts, steps=20):
         """Where it converges."""
         angle, done = rng.uniform(-np.pi, np.pi, (starts, len(self.slipping))), []
         with np.errstate(all="ignore"):

@@ -17,6 +17,8 @@ def one_slip(pattern, turn):
     ux = total(multiple(q[1], row[0]), multiple(-q[0], row[1]))
     uy = total(multiple(q[2], row[0]), multiple(-q[0], row[2]))
     rest = common_factor(ux, uy)  # where both are 0 the contact sticks
+    if not rest:
+        return
     ux, uy = quotient_of(ux, rest), quotient_of(uy, rest)
     for t in roots_of(total(product(ux, y), multiple(-1, product(uy, x))), 5 - len(rest)):
         d = direction_at(t, turn)
