@@ -13,10 +13,14 @@ def has_velocities(told, u):
     return all(is_within(x, range_) for x, range_ in zip(u, told.u))
 
 
+def has_forces(told, r):
+    return all(is_within(x, range_) for x, range_ in zip(r, told.r))
+
+
 def holds(told, found):
     """Whether a told solution is the one that was found, in mode, velocities and forces; of a family the forces are one
     choice."""
-    forces = told.parameters > 0 or all(is_within(x, range_) for x, range_ in zip(found.r, told.r))
+    forces = told.parameters > 0 or has_forces(told, found.r)
     return told.modes == found.modes and forces and has_velocities(told, found.u)
 
 
@@ -52,6 +56,9 @@ class Elimination:
             if i not in claimed and not may_be_more:
                 yield f"{'/'.join(t.modes)} is told, and was not found"
 
+    def also_count(self, found, told, count):
+        pass
+
     def number(self, found):
         return len(found[0])
 
@@ -69,6 +76,9 @@ class Newton:
         for s in found:
             if not any(is_near(problem, t, s.u) for t in told.solutions):
                 yield f"{'/'.join(s.modes)} with u = {s.u.tolist()}, r = {s.r.tolist()} is not told"
+
+    def also_count(self, found, told, count):
+        pass
 
     def number(self, found):
         return len(found)

@@ -3,7 +3,7 @@ import numpy as np
 
 import newton
 import projections
-from compare import has_velocities, is_near
+from compare import has_forces, has_velocities, is_near
 from elimination import all_solutions, linear_solutions
 
 
@@ -33,9 +33,9 @@ class Degenerate:
         exact = []
         if problem.planted:
             assert obeys_law(problem, *problem.planted)
-            exact.append(("a planted solution", problem.planted[1]))
+            exact.append(("a planted solution", *problem.planted))
         solutions, undecided = (all_solutions if small else linear_solutions)(problem)
-        exact += [("/".join(s.modes), s.u) for s in solutions]
+        exact += [("/".join(s.modes), s.r, s.u) for s in solutions]
         by_newton = newton.solutions_near(problem, self.rng, 100) if small else []
         by_projection = projections.solutions_near(problem, self.rng)
         for how, number in (("planted", len(exact) - len(solutions)), ("elimination", len(solutions)),
@@ -46,12 +46,19 @@ class Degenerate:
 
     def differences(self, problem, found, told):
         exact, near = found
-        for how, u in exact:
+        for how, _, u in exact:
             if not any(has_velocities(t, u) for t in told.solutions):
                 yield f"{how} with u = {[float(x) for x in u]} is not told"
         for s in near:
             if not any(is_near(problem, t, s.u) for t in told.solutions):
                 yield f"{'/'.join(s.modes)} with u = {s.u.tolist()}, r = {s.r.tolist()} is not told"
+
+    def also_count(self, found, told, count):
+        """Velocities that are told with one choice of forces, as if there were no other."""
+        for t in told.solutions:
+            forces = [r for _, r, u in found[0] if t.parameters == 0 and has_velocities(t, u)]
+            if any(not has_forces(t, r) for r in forces):
+                count["told without a family, and other forces were found here"] += 1
 
     def number(self, found):
         return len(found[0]) + len(found[1])

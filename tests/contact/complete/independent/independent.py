@@ -75,6 +75,7 @@ class Comparison:
         for words in self.judge.differences(problem, found, told):
             count["differences"] += 1
             self.report(problem, f"DIFFERENCE: {words}")
+        self.judge.also_count(found, told, count)
         if told.solutions:
             left_out = self.rng.randrange(len(told.solutions))
             fewer = replace(told, solutions=told.solutions[:left_out] + told.solutions[left_out + 1:])
