@@ -14,6 +14,7 @@ class Problem:
     mu: list
     kind: str = ""
     planted: tuple = None  # forces and velocities that solve it, if some are known
+    answer: list = None  # forces to be judged
 
     @property
     def contacts(self):

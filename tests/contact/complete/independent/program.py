@@ -32,9 +32,10 @@ def exact(number):
 
 
 def line_of(problem):
-    """An answer is given, that all forces are 0: without one the program looks for one."""
+    """With the answer that all forces are 0, if the problem has none: without one the program looks for one."""
+    answer = problem.answer or [0] * problem.size
     return json.dumps({"dimension": 3, "W": [[exact(x) for x in row] for row in problem.W],
-                       "q": [exact(x) for x in problem.q], "mu": [exact(m) for m in problem.mu], "r": [0] * problem.size})
+                       "q": [exact(x) for x in problem.q], "mu": [exact(m) for m in problem.mu], "r": [exact(x) for x in answer]})
 
 
 def range_of(told):
