@@ -50,7 +50,7 @@ class Degenerate:
             if not any(has_velocities(t, u) for t in told.solutions):
                 yield f"{how} with u = {[float(x) for x in u]} is not told"
         for s in near:
-            if not any(is_near(problem, t, s.u) for t in told.solutions):
+            if not any(is_near(problem, t, s) for t in told.solutions):
                 yield f"{'/'.join(s.modes)} with u = {s.u.tolist()}, r = {s.r.tolist()} is not told"
 
     def also_count(self, found, told, count):
