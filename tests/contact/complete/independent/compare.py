@@ -7,6 +7,7 @@ from intervals import is_within
 from newton import solutions_near
 
 NEAR = 1e-6  # of velocities in binary64, relative to the largest
+LEAST = 1e-6  # size below which numbers are 0 to projections of a problem without load
 
 
 def has_velocities(told, u):
@@ -29,7 +30,7 @@ def is_near(problem, told, found):
     parts."""
     at = np.array([float(lower + upper) / 2 for lower, upper in told.u])
     parts = np.abs(np.array(problem.W, dtype=float)) @ np.abs(found.r)
-    scale = max(np.abs(at).max(), np.abs(found.u).max(), parts.max(), max(abs(float(q)) for q in problem.q))
+    scale = max(np.abs(at).max(), np.abs(found.u).max(), parts.max(), max(abs(float(q)) for q in problem.q), LEAST)
     return np.abs(at - found.u).max() <= NEAR * scale
 
 
