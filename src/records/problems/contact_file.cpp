@@ -73,10 +73,16 @@ std::vector<double> known_solution(const ContactJudgement& j) {
   return x;
 }
 
-/// The first of all solutions as an answer, held against all of them; nothing if not all are found.
-std::optional<JudgedAnswer> judge_first_of_all(const MixedProblem& problem, const ContactJudgeOptions& options) {
+/// The first of all solutions as an answer, held against all of them; undecided if not all are found.
+JudgedAnswer judge_first_of_all(const MixedProblem& problem, const ContactJudgeOptions& options) {
   ContactJudgement none = judge_contacts(problem, std::vector<double>(problem.size()), {}, options);
-  if (!none.all) return std::nullopt;
+  if (!none.all) {
+    ContactJudgement open;
+    open.verdict = ContactVerdict::undecided;
+    open.reason = "no answer is given, and not all solutions were found";
+    open.left_out = std::move(none.left_out);
+    return {"none", std::move(open), {}};
+  }
   if (none.all->none()) return JudgedAnswer{"none", std::move(none), {}};
   std::vector<Rational> r;
   for (const Range& range : none.all->solutions.front().r) r.push_back((*range.lower + *range.upper) / 2);
@@ -87,7 +93,8 @@ std::optional<JudgedAnswer> judge_first_of_all(const MixedProblem& problem, cons
 
 JudgedAnswer judge_what_is_found(const JudgedProblem& problem, const ContactFileOptions& options) {
   if (options.judge.all && problem.mixed.is_coulomb()) {
-    if (auto found = judge_first_of_all(problem.mixed, options.judge)) return *std::move(found);
+    JudgedAnswer found = judge_first_of_all(problem.mixed, options.judge);
+    if (found.judgement.all || !options.judge.refine) return found;
   }
   JudgedAnswer result{"none", {}, {}};
   result.judgement.verdict = ContactVerdict::undecided;
