@@ -130,6 +130,26 @@ std::vector<std::size_t> hosts_of(const CompleteSolutions& found) {
   return hosts;
 }
 
+/// Whether no other forces give an exact motion: the columns of W of all forces that the patterns that it stands for
+/// allow are independent.
+bool has_one_force(const CompleteSolutions& found, std::size_t m) {
+  const ExactContacts& contacts = found.scaled.contacts;
+  std::vector<bool> pressed(contacts.contacts(), false);
+  for (const PatternNode& node : found.nodes) {
+    if (node.end != PatternNode::End::motion || node.motion != m) continue;
+    for (std::size_t k = 0; k < pressed.size(); ++k) pressed[k] = pressed[k] || node.pattern[k].kind != Kind::open;
+  }
+  RationalMatrix columns;
+  for (std::size_t k = 0; k < pressed.size(); ++k) {
+    const std::size_t own = !pressed[k] ? 0 : contacts.has_friction(k) ? contacts.dimension : 1;
+    for (std::size_t t = 0; t < own; ++t) {
+      std::vector<Rational>& column = columns.emplace_back();
+      for (const auto& row : contacts.W) column.push_back(row[contacts.normal(k) + t]);
+    }
+  }
+  return columns.empty() || eliminate(columns).rank() == columns.size();
+}
+
 FoundSolution solution_of(const CompleteSolutions& found, std::size_t m) {
   const SpatialMotion& motion = found.motions[m];
   const ScaledContacts& scaled = found.scaled;
@@ -140,7 +160,8 @@ FoundSolution solution_of(const CompleteSolutions& found, std::size_t m) {
   if (!found.within[m].empty()) solution.around = ranges(place_of(found, m), scaled.velocity_unit);
   solution.open_directions = motion.open_directions;
   solution.strict = is_strict(scaled.contacts, motion);
-  solution.alone = found.within[m].empty() && (motion.is_exact() || !motion.alone.is_zero());
+  const bool is_one_motion = found.within[m].empty() && (motion.is_exact() || !motion.alone.is_zero());
+  solution.alone = is_one_motion && (!motion.alone.is_zero() || has_one_force(found, m));
   return solution;
 }
 

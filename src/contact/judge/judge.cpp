@@ -113,8 +113,10 @@ class ContactCase {
       }
       AllSolutions all = all_solutions_of(*tree);
       if (!all.complete()) {
+        std::string first = all.unexamined.front();
+        if (first.size() > 60) first = first.substr(0, 60) + "...";
         throw std::runtime_error(fmt::format("found {}, and {} stay open, the first {}", all.solutions.size(),
-                                             all.unexamined.size(), all.unexamined.front()));
+                                             all.unexamined.size(), first));
       }
       j_.all = std::move(all);
       j_.tree = std::move(tree);
