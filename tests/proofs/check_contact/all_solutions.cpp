@@ -171,7 +171,8 @@ TEST_CASE("all solutions: multipliers, in each state") {
   reject_all(kNoMotion, {{"empty -1 0 0", "empty -1 1 0", node(0, kVelocities)},
                          {"empty -1 0 0", "empty 1 0 0", node(0, kVelocities)},
                          {"mu 1/2", "mu 3/4", node(0, kForces)},
-                         {"constant -1", "constant 1", node(0, kNotEmpty)}});
+                         {"constant -1", "constant 1", node(0, kNotEmpty)},
+                         {"constant -1", "constant 0", node(0, kNotEmpty)}});  // u_N may be 0 where nothing is decided
 }
 
 TEST_CASE("all solutions: more than 0 is proved by velocities") {
