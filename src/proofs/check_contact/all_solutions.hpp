@@ -56,7 +56,7 @@ class AllSolutions {
     const Matrix inverse = problem.free > 0 ? reader.entries("eliminated", problem.free, problem.free) : Matrix();
     problem_.dimension = problem.dimension;
     problem_.mu = problem.mu;
-    judge("contacts", problem.contacts(), [&] {
+    judge(nullptr, 0, [&] {
       problem.require_coulomb();
       problem_ = reduced(problem, inverse);
     });
@@ -100,7 +100,8 @@ class AllSolutions {
     try {
       check();
     } catch (const Rejected& reason) {
-      rejected_.emplace(what + (" " + std::to_string(index)) + ": " + reason.what());
+      const std::string place = what == nullptr ? "" : what + (" " + std::to_string(index)) + ": ";
+      rejected_.emplace(place + reason.what());
     }
   }
   template <class Check>

@@ -63,7 +63,7 @@ TEST_CASE("a bound of 0 proves that there is no motion only where it is strict")
 TEST_CASE("forces of an arc are bounded within it, too, not only at its ends") {
   const PointMass point({0, 0, 0}, 1);
   const ContactPattern arc{slip_between({3, -4, 5}, {3, 4, 5})};
-  const ContactForm form{{{1, 2}}, {}};
+  const ContactForm form{{{1, 1}}, {}};
   const auto bound = [&](const Rational& normal) {
     return lower_bound(point.contacts, point.integers, arc, form, std::vector<Rational>{normal, 1, 0});
   };

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "base/parallel/in_parallel.hpp"
+#include "contact/complete/closing.hpp"
 #include "contact/complete/complete.hpp"
 #include "contact/complete/random_contacts.hpp"
 
@@ -62,23 +63,28 @@ class ProofReader {
  private:
   void read_bounds(const PatternNode& node) {
     const SpatialMotion& motion = all_.motions.at(node.motion);
+    const VelocityBox place = place_of(all_, node.motion);
     std::vector<std::pair<std::size_t, int>> bounded;
     for (const PatternNode::Bound& bound : node.bounds) {
       const auto proved = lower_bound(exact_, integers_, node.pattern, bound.form, bound.y);
       REQUIRE(proved);
-      Rational at_motion, radius;
-      for (const auto& [i, f] : bound.form.u) at_motion += f * motion.u[i], radius += abs(f) * motion.u_radius[i];
-      for (const auto& [i, f] : bound.form.r) at_motion += f * motion.r[i], radius += abs(f) * motion.r_radius[i];
-      CHECK(proved->value <= at_motion + radius);
-      if (!motion.is_exact()) continue;
-      CHECK(proved->value == at_motion);
-      bounded.emplace_back(bound.form.u[0].first, bound.form.u[0].second.sign());
+      if (!motion.alone.is_zero()) {
+        Rational at_motion, radius;
+        for (const auto& [i, f] : bound.form.u) at_motion += f * motion.u[i], radius += abs(f) * motion.u_radius[i];
+        for (const auto& [i, f] : bound.form.r) at_motion += f * motion.r[i], radius += abs(f) * motion.r_radius[i];
+        CHECK(proved->value <= at_motion + radius);
+        continue;
+      }
+      const auto& [i, f] = bound.form.u.at(0);
+      CHECK(abs(f) == 1);
+      CHECK(proved->value >= (f > 0 ? place.low[i] : Rational(-place.high[i])));
+      bounded.emplace_back(i, f.sign());
     }
-    for (std::size_t i = 0; i < exact_.size() && motion.is_exact(); ++i) {
+    for (std::size_t i = 0; i < exact_.size() && motion.alone.is_zero(); ++i) {
       const StateKind kind = node.pattern[i / exact_.dimension].kind;
       const bool zero =
           kind == StateKind::stick || (i % exact_.dimension == 0 && kind != StateKind::any && kind != StateKind::open);
-      if (zero) CHECK(motion.u[i].is_zero());
+      if (zero) CHECK((place.low[i].sign() <= 0 && place.high[i].sign() >= 0));
       for (const int side : {1, -1}) CHECK(std::ranges::count(bounded, std::pair(i, side)) == (zero ? 0 : 1));
     }
   }

@@ -128,7 +128,7 @@ CASES = [
     (certify(W2, [1, 2], ["1", ""]), VALUE, "z[1]: found nothing, expected a number"),
     (certify([[1, {}], [0, 1]], [1, 2], [1, 2]), TYPE, "W[0, 1]: found dict, expected a number"),
     (certify(W2 * 1j, [1, 2], [1, 2]), TYPE, "W: found an array of complex128, expected numbers"),
-    (certify(W2, [1, 2]), VALUE, "z: found None, expected an answer, or refine=True"),
+    (certify(W2, [1, 2]), VALUE, "z: found None, expected an answer, refine=True or all=True"),
     (certify(W2, [1, 2], [1, 2], tolerance=2), VALUE, "tolerance: found 2.0, expected a number from 0 to 1"),
     (certify(W2, [1, 2], [1, 2], tolerance="1"), TYPE, "tolerance: found str, expected a number"),
     (certify(W2, [1, 2], [1, 2], tolerance=np.nan), VALUE, "tolerance: found nan, expected a number from 0 to 1"),
