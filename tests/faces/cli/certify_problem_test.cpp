@@ -161,6 +161,25 @@ TEST_CASE("planar contacts with one solution for every constant say so") {
   CHECK(line_of(run({"certify", lines, "--every-q"}))["every_q"]["verdict"] == "unique");
 }
 
+TEST_CASE("problems at which the search for all solutions once failed") {
+  // The first five ended the process; three were left open; two were called unique, and the last two wrong.
+  const std::string file = SLIPPROOF_SOURCE_DIR "/tests/faces/cli/once_failed.jsonl";
+  std::istringstream out(run({"certify", file, "--all", "--effort", "1e9", "--json"}).out);
+  std::vector<std::string> verdicts;
+  std::vector<int> solutions;
+  for (std::string line; std::getline(out, line);) {
+    const Json json = Json::parse(line);
+    verdicts.push_back(json["verdict"]);
+    solutions.push_back(json.contains("all") ? json["all"]["solutions"].get<int>() : -1);
+  }
+  REQUIRE(verdicts.size() == 13);
+  for (std::size_t i = 0; i < 5; ++i) CHECK(verdicts[i] == "wrong");
+  CHECK(solutions[5] == 3);
+  CHECK(solutions[7] == 9);
+  for (const std::size_t i : {8, 9}) CHECK(verdicts[i] == "solution within rho");
+  for (const std::size_t i : {11, 12}) CHECK(verdicts[i] == "eps-solution");
+}
+
 TEST_CASE("problems as JSON Lines, in space and in the plane, get a line each") {
   const TemporaryFolder folder;
   const std::string planar = R"({"dimension": 2, "W": [[1,0],[0,1]], "q": [-1, 0.75], "mu": 0.5, "z": [1, -0.5]})";
