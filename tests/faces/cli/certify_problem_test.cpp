@@ -164,7 +164,7 @@ TEST_CASE("planar contacts with one solution for every constant say so") {
 TEST_CASE("problems at which the search for all solutions once failed") {
   // The first five ended the process; three were left open; two were called unique, and the last two wrong.
   const std::string file = SLIPPROOF_SOURCE_DIR "/tests/faces/cli/once_failed.jsonl";
-  std::istringstream out(run({"certify", file, "--all", "--effort", "1e9", "--json"}).out);
+  std::istringstream out(run({"certify", file, "--all", "--effort", "1000000000", "--json"}).out);
   std::vector<std::string> verdicts;
   std::vector<int> solutions;
   for (std::string line; std::getline(out, line);) {
