@@ -67,7 +67,7 @@ class MotionFinder {
       const double speed = std::hypot(point.u[i + 1], point.u[i + 2]);
       double angle = std::atan2(-point.r[i + 2], -point.r[i + 1]);
       if (speed > 1e-6) angle = std::atan2(point.u[i + 2], point.u[i + 1]);
-      const double friction = contacts_.mu[k] * std::max(point.r[i], 1e-3);
+      const double friction = contacts_.mu[k] * std::max(point.r[i], 1e-9);
       z[first + 1] = -friction * std::cos(angle);
       z[first + 2] = -friction * std::sin(angle);
       z[first + 3] = speed / friction;
@@ -85,7 +85,7 @@ class MotionFinder {
     }
     Eigen::MatrixXd J(n, n);
     Eigen::VectorXd F(n);
-    for (int step = 0; step < 40; ++step) {
+    for (int step = 0, settled = 0; step < 40; ++step) {
       for (Eigen::Index i = 0; i < n; ++i) {
         const auto& equation = equations[static_cast<std::size_t>(i)];
         F[i] = value_at(equation, z);
@@ -97,7 +97,7 @@ class MotionFinder {
       double size = 0;
       for (Eigen::Index j = 0; j < n; ++j) size = std::max(size, std::abs(z[static_cast<std::size_t>(j)] -= d[j]));
       if (size > 1e9) return false;
-      if (d.lpNorm<Eigen::Infinity>() <= 1e-14 * size) {
+      if (d.lpNorm<Eigen::Infinity>() <= 1e-14 * size && ++settled == 2) {  // once more, for the small unknowns
         derivative_ = J;
         return F.lpNorm<Eigen::Infinity>() < 1e-10 * std::max(size, 1.0);
       }
