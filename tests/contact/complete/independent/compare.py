@@ -26,9 +26,9 @@ def holds(told, found):
 
 
 def is_near(problem, told, found):
-    """Whether velocities in binary64 are those of a told solution. They are as exact as the largest of the forces'
-    parts."""
-    at = np.array([float(lower + upper) / 2 for lower, upper in told.u])
+    """Whether velocities in binary64 are those of a told solution, or of those that it stands for. They are as exact as
+    the largest of the forces' parts."""
+    at = np.clip(found.u, [float(lower) for lower, _ in told.u], [float(upper) for _, upper in told.u])
     parts = np.abs(np.array(problem.W, dtype=float)) @ np.abs(found.r)
     scale = max(np.abs(at).max(), np.abs(found.u).max(), parts.max(), max(abs(float(q)) for q in problem.q), LEAST)
     return np.abs(at - found.u).max() <= NEAR * scale

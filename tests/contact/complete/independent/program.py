@@ -45,7 +45,8 @@ def range_of(told):
 
 
 def read_line(line, dimension=3):
-    """The program's line of a problem. All velocities of a family are the same: it is told by one of its members."""
+    """The program's line of a problem. A family is told by one of its members; `all_w` has the velocities of all that
+    one stands for, where these are not its own."""
     if line.get("reason") and "all" not in line and line["verdict"] in ("invalid", "undecided"):
         return Told(False, reason=line["reason"], verdict=line["verdict"])
     if "all" not in line:
@@ -53,10 +54,10 @@ def read_line(line, dimension=3):
     told = Told(True, verdict=line["verdict"])
     for s in line["all"]["found"]:
         told.solutions.append(Solution(tuple(s["modes"][0].split("/")), [range_of(x) for x in s["z"]],
-                                       [range_of(x) for x in s["w"]], s["status"] == "strict"))
+                                       [range_of(x) for x in s.get("all_w", s["w"])], s["status"] == "strict"))
     for s in line["all"].get("continua", []):
         told.solutions.append(Solution(tuple(s["mode"].split("/")), [range_of(x) for x in s["nearest_z"]],
-                                       [range_of(x) for x in s["w"]], False, s["parameters"]))
+                                       [range_of(x) for x in s.get("all_w", s["w"])], False, s["parameters"]))
     assert len([s for s in told.solutions if s.parameters == 0]) == line["all"]["solutions"]
     return told
 
