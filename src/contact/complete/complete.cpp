@@ -201,7 +201,7 @@ class SolutionSearch {
     std::optional<BoundedVelocities> bounded;
     for (std::size_t m = 0; m < found_.motions.size(); ++m) {
       const SpatialMotion& motion = found_.motions[m];
-      if (!has_open_forces(motion) || (width > 0 && !has_another(m))) continue;
+      if (motion.open_directions == 0 || !has_another(m)) continue;
       if (!bounded) bounded = bound_velocities(problem_, node.pattern, nullptr, visit.programs);
       if (!bounded) return false;
       if (!places_[m].widened(power_of_two(-continuum_bits)).contains(bounded->box)) continue;
@@ -212,16 +212,14 @@ class SolutionSearch {
     return false;
   }
 
-  static bool has_open_forces(const SpatialMotion& motion) {
-    return !motion.pinned.empty() || motion.open_directions > 0;
-  }
-
-  /// Whether another motion near it is known: then they are of a continuum.
+  /// Whether another motion of its mode is known near it: then forces that are open move the body differently.
   bool has_another(std::size_t m) const {
     const VelocityBox near = places_[m].widened(2 * power_of_two(-continuum_bits));
     for (std::size_t o = 0; o < found_.motions.size(); ++o) {
-      if (o == m || !has_open_forces(found_.motions[o])) continue;
-      if (near.contains(VelocityBox::of(found_.motions[o]))) return true;
+      const SpatialMotion& other = found_.motions[o];
+      const bool same =
+          std::ranges::equal(other.mode, found_.motions[m].mode, {}, &ContactState::kind, &ContactState::kind);
+      if (o != m && same && other.open_directions > 0 && near.contains(VelocityBox::of(other))) return true;
     }
     return false;
   }
