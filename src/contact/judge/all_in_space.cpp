@@ -114,14 +114,14 @@ std::vector<Range> ranges(const VelocityBox& box, const std::vector<Rational>& u
   return result;
 }
 
-/// Of each motion the one in whose place it is: itself, or the first other one.
+/// Of each motion the one in whose place its own is: itself, or the first other one.
 std::vector<std::size_t> hosts_of(const CompleteSolutions& found) {
   std::vector<std::size_t> hosts;
   for (std::size_t m = 0; m < found.motions.size(); ++m) {
     hosts.push_back(m);
     for (std::size_t h = 0; h < found.motions.size() && hosts[m] == m; ++h) {
       const bool is_host = h != m && !found.within[h].empty() && (h > m || hosts[h] == h);
-      if (is_host && place_of(found, h).contains(VelocityBox::of(found.motions[m]))) hosts[m] = h;
+      if (is_host && place_of(found, h).contains(place_of(found, m))) hosts[m] = h;
     }
   }
   for (std::size_t& host : hosts) {
