@@ -134,12 +134,9 @@ class AloneBox {
   /// With m = from + to and c = 1 + from . to, c <= d . m <= 1 + c / 2 for all d in the arc, and u_T . m =
   /// s mu r_N d . m: so s is at most S if u_T . m <= S mu c r_N, and at least S if u_T . m >= S mu (1 + c / 2) r_N.
   bool bound_slip(PatternProgram& program, std::size_t k) {
-    const ContactState& arc = pattern_[k];
     const std::size_t i = problem_.exact.normal(k), s = unknowns_.first[k] + 3;
     const Rational center = motion_.center[s], width = alone(s), mu = problem_.exact.mu[k];
-    const Rational a(arc.from.length), b(arc.to.length);
-    const Rational x = Rational(arc.from.x) / a + Rational(arc.to.x) / b;
-    const Rational y = Rational(arc.from.y) / a + Rational(arc.to.y) / b;
+    const auto [x, y] = pattern_[k].middle();
     const Rational c = (x * x + y * y) / 2;
     if (!bound(program, {{{i + 1, -x}, {i + 2, -y}}, {{i, (center + width) * mu * c}}}, 0)) return false;
     ContactForm form{{{i + 1, x}, {i + 2, y}}, {{i, -((center - width) * mu * (1 + c / 2))}}};

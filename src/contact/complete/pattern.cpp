@@ -23,6 +23,11 @@ double Direction::angle() const {
   return std::atan2(Rational(y, length).to_double(), Rational(x, length).to_double());
 }
 
+std::array<Rational, 2> ContactState::middle() const {
+  return {Rational(from.x, from.length) + Rational(to.x, to.length),
+          Rational(from.y, from.length) + Rational(to.y, to.length)};
+}
+
 double ContactState::width() const {
   const double width = to.angle() - from.angle();
   return width < 0 ? width + 2 * std::numbers::pi : width;

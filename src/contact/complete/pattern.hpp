@@ -37,7 +37,8 @@ struct ContactState {
   Kind kind = Kind::any;
   Direction from, to;  ///< slip: an arc, counterclockwise, below half a turn
 
-  double width() const;  ///< of the arc, in radians, about
+  double width() const;                    ///< of the arc, in radians, about
+  std::array<Rational, 2> middle() const;  ///< the sum of the arc's ends: its middle, up to length
   bool operator==(const ContactState&) const = default;
 };
 

@@ -149,9 +149,9 @@ ContactForm PatternProgram::reversed(std::size_t k) const {
   ContactForm form;
   if (state.kind == Kind::open) form.u.emplace_back(i, Rational(-1));
   if (state.kind != Kind::slip) return form;
-  const Rational a(state.from.length), b(state.to.length);
-  form.u.emplace_back(i + 1, -(Rational(state.from.x) / a + Rational(state.to.x) / b));
-  if (contacts_.dimension > 2) form.u.emplace_back(i + 2, -(Rational(state.from.y) / a + Rational(state.to.y) / b));
+  const auto [x, y] = state.middle();
+  form.u.emplace_back(i + 1, -x);
+  if (contacts_.dimension > 2) form.u.emplace_back(i + 2, -y);
   return form;
 }
 
