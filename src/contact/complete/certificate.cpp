@@ -140,6 +140,9 @@ class ClaimText {
     } else if (node.end == End::motion) {
       text_ += "known " + std::to_string(node.motion);
       write_bounds(node);
+    } else if (node.end == End::frictionless) {
+      text_ += "frictionless " + std::to_string(node.motion);
+      write_squares();
     } else {
       write_split(node);
     }
@@ -173,6 +176,14 @@ class ClaimText {
     for (const PatternNode::Bound& bound : node.bounds) {
       const auto& [u, r] = bound.form;
       write_multipliers(bound.y, u.empty() ? force_unit(r[0].first) : velocity_unit(u[0].first));
+    }
+  }
+
+  void write_squares() {
+    text_ += ' ' + std::to_string(found_.squares.size());
+    for (const WeightedSquare& square : found_.squares) {
+      add(square.factor / (force_unit(0) * velocity_unit(0)));  // this product is the same in all rows
+      for (std::size_t i = 0; i < n_; ++i) add(square.form[i] * velocity_unit(i));
     }
   }
 

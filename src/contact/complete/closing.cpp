@@ -185,6 +185,14 @@ bool VelocityBox::contains(const VelocityBox& other) const {
   return true;
 }
 
+bool VelocityBox::is_near(std::span<const double> u) const {
+  constexpr double rounding = 1e-11;
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    if (u[i] < low[i].to_double() - rounding || u[i] > high[i].to_double() + rounding) return false;
+  }
+  return true;
+}
+
 bool VelocityBox::overlaps(const VelocityBox& other) const {
   for (std::size_t i = 0; i < low.size(); ++i) {
     if (other.high[i] < low[i] || other.low[i] > high[i]) return false;

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/parallel/in_parallel.hpp"
-#include "contact/complete/closing.hpp"
-#include "contact/complete/solve_near.hpp"
+#include "contact/complete/frictionless.hpp"
+#include "contact/complete/motion_list.hpp"
 #include "contact/complete/splitting.hpp"
 
 namespace slipproof {
@@ -18,19 +18,26 @@ using End = PatternNode::End;
 class SolutionSearch {
  public:
   SolutionSearch(CompleteSolutions& solutions, const CompleteOptions& options)
-      : found_(solutions), options_(options), problem_(solutions.scaled.contacts), exact_(problem_.exact) {}
+      : found_(solutions),
+        options_(options),
+        problem_(solutions.scaled.contacts),
+        exact_(problem_.exact),
+        list_(solutions) {}
 
   void run() {
     PatternNode root;
     root.pattern.resize(exact_.contacts());
     found_.nodes.push_back(root);
     std::vector<std::size_t> level{0};
+    if (is_without_friction(std::vector<Rational>(exact_.size()))) level.clear();
     while (!level.empty() && found_.nodes.size() < options_.most_nodes && work_with(level.size()) <= options_.effort) {
+      const std::size_t known = found_.motions.size();
       level = next_generation(level);
+      for (std::size_t m = known; m < found_.motions.size(); ++m) {
+        if (found_.motions[m].is_exact() && is_without_friction(found_.motions[m].u)) level.clear();
+      }
     }
-    while (join_two_places()) {
-    }
-    for (std::size_t m = 0; m < places_.size(); ++m) found_.within.push_back(distances(m));
+    list_.settle();
   }
 
  private:
@@ -38,6 +45,7 @@ class SolutionSearch {
     std::size_t programs = 0;
     std::optional<ProposedPoint> point;
     std::vector<SpatialMotion> candidates;
+    bool has_known = false;  ///< a candidate that was known before
     std::optional<ShrunkArc> shrunk;
     std::optional<VelocityBox> place;  ///< of its motions, if they are only near one that is known
     PatternSplit split;
@@ -51,18 +59,31 @@ class SolutionSearch {
     return times(program, found_.programs + nodes * each);
   }
 
+  /// Whether a motion with these velocities needs no friction, and is the only one; then the tree has no other node.
+  bool is_without_friction(std::span<const Rational> u) {
+    auto motion = motion_without_friction(exact_, u);
+    if (!motion) return false;
+    auto squares = squares_of(exact_.W);
+    if (!squares) return false;
+    found_.squares = std::move(*squares);
+    found_.nodes.resize(1);
+    found_.nodes[0] = {ContactPattern(exact_.contacts()), End::frictionless, {}, 0, {}, 0, 0, 0};
+    list_.keep_only(std::move(*motion));
+    return true;
+  }
+
   /// Each node sees the motions that were known when its generation began: so threads change nothing.
   std::vector<std::size_t> next_generation(const std::vector<std::size_t>& level) {
     std::vector<Visit> visits(level.size());
     in_parallel(0, level.size(), [&](std::size_t i) { look(found_.nodes[level[i]], visits[i]); });
     for (Visit& visit : visits) {
-      for (SpatialMotion& candidate : visit.candidates) add(std::move(candidate));
+      for (SpatialMotion& candidate : visit.candidates) list_.add(std::move(candidate));
     }
     in_parallel(0, level.size(), [&](std::size_t i) { close_or_split(found_.nodes[level[i]], visits[i]); });
     std::vector<std::size_t> next;
     for (std::size_t i = 0; i < level.size(); ++i) {
       found_.programs += visits[i].programs;
-      if (visits[i].place) places_[found_.nodes[level[i]].motion].add(*visits[i].place);
+      if (visits[i].place) list_.count_as(found_.nodes[level[i]].motion, *visits[i].place);
       PatternSplit& split = visits[i].split;
       if (split.children.empty()) continue;
       PatternNode& node = found_.nodes[level[i]];
@@ -97,7 +118,8 @@ class SolutionSearch {
     if (decided) visit.shrunk = shrink_an_arc(node.pattern, program);
     find_from(node.pattern, *visit.point, visit);
     const bool open = std::ranges::any_of(visit.candidates, [](const auto& m) { return m.open_directions > 0; });
-    if (decided && (visit.candidates.empty() || (open && widest_arc(node.pattern) == 0))) {
+    const bool none = visit.candidates.empty() && !visit.has_known;
+    if (decided && (none || (open && widest_arc(node.pattern) == 0))) {
       find_from(node.pattern, program.middle(), visit);
     }
     visit.programs = program.solved();
@@ -114,8 +136,10 @@ class SolutionSearch {
   void find_from(const ContactPattern& pattern, const ProposedPoint& start, Visit& visit) const {
     const auto mode = mode_of(pattern, start);
     if (!mode) return;
-    auto motion = find_motion(exact_, problem_.floating, *mode, start);
-    if (motion) visit.candidates.push_back(std::move(*motion));
+    const auto is_known = [this](std::span<const double> u) { return list_.is_known(u); };
+    FoundMotion found = find_motion(exact_, problem_.floating, *mode, start, is_known);
+    visit.has_known = visit.has_known || found.is_known;
+    if (found.motion) visit.candidates.push_back(std::move(*found.motion));
   }
 
   /// The mode that a point has, if nothing is left to decide or the point is nearly a solution. A contact that slips
@@ -141,20 +165,6 @@ class SolutionSearch {
     return mode;
   }
 
-  /// Motions that may be the same are one. Of a continuum a few are enough.
-  void add(SpatialMotion&& motion) {
-    std::size_t pinned = 0;
-    for (std::size_t m = 0; m < found_.motions.size(); ++m) {
-      if (!found_.motions[m].differs(motion)) return;
-      if (motion.pinned.empty() || found_.motions[m].pinned.empty()) continue;
-      if (places_[m].contains(VelocityBox::of(motion))) return;
-      pinned += places_[m].widened(power_of_two(-continuum_bits)).contains(VelocityBox::of(motion)) ? 1 : 0;
-    }
-    if (pinned > 1) return;
-    places_.push_back(VelocityBox::of(motion));
-    found_.motions.push_back(std::move(motion));
-  }
-
   void close_or_split(PatternNode& node, Visit& visit) const {
     if (!visit.point || node.end != End::undecided) return;
     for (std::size_t m = 0; m < found_.motions.size(); ++m) {
@@ -173,7 +183,7 @@ class SolutionSearch {
 
   /// Where all velocities are those of a known motion, nearly.
   bool close_near(PatternNode& node, Visit& visit) const {
-    const Rational distance = power_of_two(-near_bits);
+    const Rational distance = power_of_two(-MotionList::near_bits);
     for (std::size_t m = 0; m < found_.motions.size(); ++m) {
       const SpatialMotion& motion = found_.motions[m];
       if (!motion.alone.is_zero() || !is_near(motion, *visit.point)) continue;
@@ -189,7 +199,7 @@ class SolutionSearch {
 
   bool is_near(const SpatialMotion& motion, const ProposedPoint& point) const {
     for (std::size_t i = 0; i < point.u.size(); ++i) {
-      if (std::abs(motion.u[i].to_double() - point.u[i]) > std::ldexp(1.0, -near_bits)) return false;
+      if (std::abs(motion.u[i].to_double() - point.u[i]) > std::ldexp(1.0, -MotionList::near_bits)) return false;
     }
     return true;
   }
@@ -197,29 +207,17 @@ class SolutionSearch {
   /// Where velocities are those of a continuum of motions, nearly, and nothing but narrow arcs is left to split.
   bool close_in_continuum(PatternNode& node, Visit& visit) const {
     const double width = widest_arc(node.pattern);
-    if (!is_decided(node.pattern) || width > std::ldexp(1.0, -continuum_bits)) return false;
+    if (!is_decided(node.pattern) || width > std::ldexp(1.0, -MotionList::continuum_bits)) return false;
     std::optional<BoundedVelocities> bounded;
     for (std::size_t m = 0; m < found_.motions.size(); ++m) {
       const SpatialMotion& motion = found_.motions[m];
-      if (motion.open_directions == 0 || !has_another(m)) continue;
+      if (motion.open_directions == 0 || !list_.is_in_continuum(m)) continue;
       if (!bounded) bounded = bound_velocities(problem_, node.pattern, nullptr, visit.programs);
       if (!bounded) return false;
-      if (!places_[m].widened(power_of_two(-continuum_bits)).contains(bounded->box)) continue;
+      if (!list_.place(m).widened(power_of_two(-MotionList::continuum_bits)).contains(bounded->box)) continue;
       visit.place = std::move(bounded->box);
       close(node, m, std::move(bounded->bounds));
       return true;
-    }
-    return false;
-  }
-
-  /// Whether another motion of its mode is known near it: then forces that are open move the body differently.
-  bool has_another(std::size_t m) const {
-    const VelocityBox near = places_[m].widened(2 * power_of_two(-continuum_bits));
-    for (std::size_t o = 0; o < found_.motions.size(); ++o) {
-      const SpatialMotion& other = found_.motions[o];
-      const bool same =
-          std::ranges::equal(other.mode, found_.motions[m].mode, {}, &ContactState::kind, &ContactState::kind);
-      if (o != m && same && other.open_directions > 0 && near.contains(VelocityBox::of(other))) return true;
     }
     return false;
   }
@@ -232,44 +230,11 @@ class SolutionSearch {
     return width;
   }
 
-  /// Places that overlap become one, that of the first motion.
-  bool join_two_places() {
-    for (std::size_t m = 0; m < places_.size(); ++m) {
-      for (std::size_t n = m + 1; n < places_.size(); ++n) {
-        const bool alone = !found_.motions[m].alone.is_zero() || !found_.motions[n].alone.is_zero();
-        if (alone || !places_[m].overlaps(places_[n]) || places_[m].contains(places_[n])) continue;
-        places_[m].add(places_[n]);
-        places_[n] = VelocityBox::of(found_.motions[n]);
-        for (PatternNode& node : found_.nodes) {
-          if (node.end == End::motion && node.motion == n) node.motion = m;
-        }
-        return true;
-      }
-    }
-    return false;
-  }
-
-  /// How far from a motion its place reaches, in each row.
-  std::vector<Rational> distances(std::size_t m) const {
-    const VelocityBox own = VelocityBox::of(found_.motions[m]);
-    std::vector<Rational> result;
-    bool any = false;
-    for (std::size_t i = 0; i < own.low.size(); ++i) {
-      const Rational below = own.low[i] - places_[m].low[i], above = places_[m].high[i] - own.high[i];
-      result.push_back(-rounded_down(-std::max(below, above), 2 * near_bits));
-      any = any || !result.back().is_zero();
-    }
-    return any ? result : std::vector<Rational>();
-  }
-
-  static constexpr int near_bits = 16;
-  static constexpr int continuum_bits = 4;
-
   CompleteSolutions& found_;
   const CompleteOptions& options_;
   const SearchProblem problem_;
   const ExactContacts& exact_;
-  std::vector<VelocityBox> places_;  ///< of motions, and of what counts as them
+  MotionList list_;
 };
 
 }  // namespace
@@ -283,7 +248,7 @@ bool CompleteSolutions::complete() const {
 }
 
 CompleteSolutions all_solutions(const ExactContacts& contacts, const CompleteOptions& options) {
-  CompleteSolutions result{ScaledContacts(contacts), {}, {}, {}, 0};
+  CompleteSolutions result{ScaledContacts(contacts), {}, {}, {}, {}, 0};
   SolutionSearch(result, options).run();
   return result;
 }

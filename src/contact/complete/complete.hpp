@@ -9,9 +9,10 @@ namespace slipproof {
 /// A node of the tree of patterns: what closes it, or what it is split into.
 struct PatternNode {
   enum class End : std::uint8_t {
-    undecided,  ///< nothing: motions may be left in it
-    empty,      ///< multipliers prove that it has no motion
-    motion,     ///< all of its motions are one that is known, or near it
+    undecided,     ///< nothing: motions may be left in it
+    empty,         ///< multipliers prove that it has no motion
+    motion,        ///< all of its motions are one that is known, or near it
+    frictionless,  ///< it has no motion but one that needs no friction (frictionless.hpp)
     split
   };
   /// Multipliers that prove a lower bound of a form.
@@ -22,7 +23,7 @@ struct PatternNode {
   ContactPattern pattern;
   End end = End::undecided;
   std::vector<Rational> y;      ///< empty
-  std::size_t motion = 0;       ///< motion: which
+  std::size_t motion = 0;       ///< motion, frictionless: which
   std::vector<Bound> bounds;    ///< motion
   std::size_t contact = 0;      ///< split: of which contact
   std::size_t first_child = 0;  ///< split: children stand side by side
@@ -34,14 +35,21 @@ struct CompleteOptions {
   std::size_t most_nodes = 200'000;
 };
 
+/// factor * (form . r)^2
+struct WeightedSquare {
+  Rational factor;
+  std::vector<Rational> form;
+};
+
 /// In the units of `scaled`.
 struct CompleteSolutions {
   ScaledContacts scaled;
   std::vector<SpatialMotion> motions;
   /// By motion, and row of u: others that count as this one are at most so far from where it is. Empty: there are none.
   std::vector<std::vector<Rational>> within;
-  std::vector<PatternNode> nodes;  ///< the tree, its root first
-  std::size_t programs = 0;        ///< linear programs
+  std::vector<PatternNode> nodes;       ///< the tree, its root first
+  std::vector<WeightedSquare> squares;  ///< r . W r as their sum, if a node is frictionless
+  std::size_t programs = 0;             ///< linear programs
 
   /// Whether no node is undecided: all motions are known.
   bool complete() const;

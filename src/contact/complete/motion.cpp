@@ -24,28 +24,22 @@ class MotionFinder {
         touching_(std::move(touching)),
         unknowns_(exact, mode, touching_) {}
 
-  std::optional<SpatialMotion> find(const ProposedPoint& start) {
-    if (is_linear()) return find_exactly(start);
+  FoundMotion find(const ProposedPoint& start, const std::function<bool(std::span<const double>)>& is_known) {
+    if (is_linear()) return {false, find_exactly(start)};
     std::vector<double> z = unknowns_at(start);
-    if (!newton(z) || !plausible(z)) return std::nullopt;
-    zero_ = z;
-    return motion_in_box(exact_, mode_, touching_, z, derivative_);
+    if (!newton(z) || !plausible(z)) return {};
+    u_ = velocities_at(z);
+    if (is_known(u_)) return {true, std::nullopt};
+    return {false, motion_in_box(exact_, mode_, touching_, z, derivative_)};
   }
 
   /// After find(), which found no motion: the open contacts whose u_N is 0 up to rounding at the zero; empty if there
   /// are none.
   std::vector<bool> touching() const {
-    if (zero_.empty()) return {};
-    std::vector<double> r(exact_.size());
-    for (std::size_t k = 0; k < mode_.size(); ++k) {
-      for (std::size_t t = 0; t < unknowns_.forces(k); ++t) r[exact_.normal(k) + t] = zero_[unknowns_.first[k] + t];
-    }
+    if (u_.empty()) return {};
     std::vector<bool> result(mode_.size(), false);
     for (std::size_t k = 0; k < mode_.size(); ++k) {
-      if (mode_[k].kind != Kind::open) continue;
-      double u = contacts_.q[exact_.normal(k)];
-      for (std::size_t j = 0; j < r.size(); ++j) u += contacts_.W[exact_.normal(k)][j] * r[j];
-      result[k] = std::abs(u) < 1e-9;
+      result[k] = mode_[k].kind == Kind::open && std::abs(u_[exact_.normal(k)]) < 1e-9;
     }
     return std::ranges::find(result, true) == result.end() ? std::vector<bool>() : result;
   }
@@ -73,6 +67,17 @@ class MotionFinder {
       z[first + 3] = speed / friction;
     }
     return z;
+  }
+
+  std::vector<double> velocities_at(std::span<const double> z) const {
+    std::vector<double> u = contacts_.q;
+    for (std::size_t k = 0; k < mode_.size(); ++k) {
+      for (std::size_t t = 0; t < unknowns_.forces(k); ++t) {
+        const std::size_t j = exact_.normal(k) + t;
+        for (std::size_t i = 0; i < u.size(); ++i) u[i] += contacts_.W[i][j] * z[unknowns_.first[k] + t];
+      }
+    }
+    return u;
   }
 
   /// To a zero of the mode's equations; of dependent ones to the nearest.
@@ -137,7 +142,7 @@ class MotionFinder {
   const ContactPattern& mode_;
   const std::vector<bool> touching_;
   const ModeUnknowns unknowns_;
-  std::vector<double> zero_;
+  std::vector<double> u_;  ///< at the zero
   Eigen::MatrixXd derivative_;
 };
 
@@ -190,13 +195,14 @@ bool satisfies_law(const ExactContacts& contacts, std::span<const Rational> r, s
   return true;
 }
 
-std::optional<SpatialMotion> find_motion(const ExactContacts& exact, const FloatingContacts& contacts,
-                                         const ContactPattern& mode, const ProposedPoint& start) {
+FoundMotion find_motion(const ExactContacts& exact, const FloatingContacts& contacts, const ContactPattern& mode,
+                        const ProposedPoint& start, const std::function<bool(std::span<const double> u)>& is_known) {
   MotionFinder finder(exact, contacts, mode, {});
-  auto motion = finder.find(start);
-  if (motion) return motion;
+  FoundMotion found = finder.find(start, is_known);
+  if (found.motion || found.is_known) return found;
   std::vector<bool> touching = finder.touching();
-  return touching.empty() ? std::nullopt : MotionFinder(exact, contacts, mode, std::move(touching)).find(start);
+  if (touching.empty()) return {};
+  return MotionFinder(exact, contacts, mode, std::move(touching)).find(start, is_known);
 }
 
 }  // namespace slipproof

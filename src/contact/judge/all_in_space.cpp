@@ -136,8 +136,12 @@ bool has_one_force(const CompleteSolutions& found, std::size_t m) {
   const ExactContacts& contacts = found.scaled.contacts;
   std::vector<bool> pressed(contacts.contacts(), false);
   for (const PatternNode& node : found.nodes) {
-    if (node.end != PatternNode::End::motion || node.motion != m) continue;
+    const bool own = node.end == PatternNode::End::motion || node.end == PatternNode::End::frictionless;
+    if (!own || node.motion != m) continue;
     for (std::size_t k = 0; k < pressed.size(); ++k) pressed[k] = pressed[k] || node.pattern[k].kind != Kind::open;
+  }
+  for (std::size_t k = 0; k < pressed.size(); ++k) {  // where u is that of the motion everywhere
+    if (found.motions[m].u[contacts.normal(k)].sign() > 0) pressed[k] = false;
   }
   RationalMatrix columns;
   for (std::size_t k = 0; k < pressed.size(); ++k) {
