@@ -137,7 +137,7 @@ class SolutionSearch {
     const auto mode = mode_of(pattern, start);
     if (!mode) return;
     const auto is_known = [this](std::span<const double> u) { return list_.is_known(u); };
-    FoundMotion found = find_motion(exact_, problem_.floating, *mode, start, is_known);
+    MotionCandidate found = find_motion(exact_, problem_.floating, *mode, start, is_known);
     visit.has_known = visit.has_known || found.is_known;
     if (found.motion) visit.candidates.push_back(std::move(*found.motion));
   }

@@ -24,7 +24,7 @@ class MotionFinder {
         touching_(std::move(touching)),
         unknowns_(exact, mode, touching_) {}
 
-  FoundMotion find(const ProposedPoint& start, const std::function<bool(std::span<const double>)>& is_known) {
+  MotionCandidate find(const ProposedPoint& start, const std::function<bool(std::span<const double>)>& is_known) {
     if (is_linear()) return {false, find_exactly(start)};
     std::vector<double> z = unknowns_at(start);
     if (!newton(z) || !plausible(z)) return {};
@@ -195,10 +195,10 @@ bool satisfies_law(const ExactContacts& contacts, std::span<const Rational> r, s
   return true;
 }
 
-FoundMotion find_motion(const ExactContacts& exact, const FloatingContacts& contacts, const ContactPattern& mode,
+MotionCandidate find_motion(const ExactContacts& exact, const FloatingContacts& contacts, const ContactPattern& mode,
                         const ProposedPoint& start, const std::function<bool(std::span<const double> u)>& is_known) {
   MotionFinder finder(exact, contacts, mode, {});
-  FoundMotion found = finder.find(start, is_known);
+  MotionCandidate found = finder.find(start, is_known);
   if (found.motion || found.is_known) return found;
   std::vector<bool> touching = finder.touching();
   if (touching.empty()) return {};

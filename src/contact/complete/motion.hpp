@@ -65,14 +65,14 @@ struct SpatialMotion {
 bool satisfies_law(const ExactContacts& contacts, std::span<const Rational> r, std::span<const Rational> u);
 std::vector<Rational> velocities(const ExactContacts& contacts, std::span<const Rational> r);
 
-struct FoundMotion {
+struct MotionCandidate {
   bool is_known = false;                ///< it need not be proved once more
   std::optional<SpatialMotion> motion;  ///< nothing where there is none, none that can be proved, or a known one
 };
 
 /// The motion that Newton's method finds from a point, in the mode of a pattern in which nothing is left to decide but
 /// directions. `is_known` says of velocities, up to rounding, whether they are those of a motion that is known.
-FoundMotion find_motion(const ExactContacts& exact, const FloatingContacts& contacts, const ContactPattern& mode,
+MotionCandidate find_motion(const ExactContacts& exact, const FloatingContacts& contacts, const ContactPattern& mode,
                         const ProposedPoint& start, const std::function<bool(std::span<const double> u)>& is_known);
 
 }  // namespace slipproof

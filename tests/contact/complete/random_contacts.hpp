@@ -51,6 +51,39 @@ struct ContactBody {
   }
 };
 
+/// Cubes of mass 1 and side 2 on each other, each on its four corners, under gravity 1; the topmost one is pushed along
+/// the first tangent. Contact 4 b + c is corner c of cube b.
+inline ExactContacts stack(std::size_t boxes, const Rational& mu, const Rational& push) {
+  const std::size_t n = 12 * boxes;
+  RationalMatrix rows(n, std::vector<Rational>(6 * boxes));
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t box = i / 12, corner = i / 3 % 4, axis = i % 3;
+    Vector3 d{};
+    d[axis == 0 ? 2 : axis - 1] = 1;
+    for (std::size_t own = box == 0 ? box : box - 1; own <= box; ++own) {
+      const Rational sign(own == box ? 1 : -1);
+      const Vector3 moment = cross_product({corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, -sign}, d);
+      for (std::size_t m = 0; m < 3; ++m) {
+        rows[i][6 * own + m] = sign * d[m];
+        rows[i][6 * own + 3 + m] = sign * moment[m];
+      }
+    }
+  }
+  ExactContacts result{3, RationalMatrix(n, std::vector<Rational>(n)), std::vector<Rational>(n),
+                       std::vector<Rational>(4 * boxes, mu)};
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t b = 0; b < boxes; ++b) result.q[i] -= rows[i][6 * b + 2];
+    result.q[i] += push * rows[i][6 * (boxes - 1)];
+    for (std::size_t j = 0; j < n; ++j) {
+      for (std::size_t m = 0; m < 6 * boxes; ++m) {
+        result.W[i][j] +=
+            rows[i][m] * rows[j][m] * (m % 6 < 3 ? Rational(1) : Rational(3, 2));  // 2/3 is a cube's inertia
+      }
+    }
+  }
+  return result;
+}
+
 class RandomContacts {
  public:
   explicit RandomContacts(std::uint64_t seed) : engine_(seed) {}

@@ -55,12 +55,31 @@ class ProofReader {
     for (const PatternNode& node : all_.nodes) {
       if (node.end == NodeEnd::empty) CHECK(proves_empty(exact_, integers_, node.pattern, node.y));
       if (node.end == NodeEnd::motion) read_bounds(node);
+      if (node.end == NodeEnd::frictionless) read_squares(node);
       if (node.end == NodeEnd::split) read_split(node);
     }
     CHECK(std::ranges::count(seen_, false) == 0);
   }
 
  private:
+  /// W is the sum of the squares, and the motion needs no friction.
+  void read_squares(const PatternNode& node) {
+    const SpatialMotion& motion = all_.motions.at(node.motion);
+    CHECK(satisfies_law(exact_, motion.r, motion.u));
+    CHECK(motion.u == velocities(exact_, motion.r));
+    for (std::size_t i = 0; i < exact_.size(); ++i) {
+      const std::size_t k = i / exact_.dimension;
+      CHECK((i == exact_.normal(k) || motion.r[i].is_zero()));
+      CHECK((i == exact_.normal(k) || !exact_.has_friction(k) || motion.u[i].is_zero()));
+      for (std::size_t j = 0; j < exact_.size(); ++j) {
+        Rational sum;
+        for (const WeightedSquare& square : all_.squares) sum += square.factor * square.form[i] * square.form[j];
+        CHECK(sum == exact_.W[i][j]);
+      }
+    }
+    for (const WeightedSquare& square : all_.squares) CHECK(square.factor.sign() > 0);
+  }
+
   void read_bounds(const PatternNode& node) {
     const SpatialMotion& motion = all_.motions.at(node.motion);
     const VelocityBox place = place_of(all_, node.motion);
@@ -123,6 +142,17 @@ TEST_CASE("every node of a tree is proved, and its children cover it") {
     for (const SpatialMotion& motion : all.motions) boxes += motion.is_exact() ? 0 : 1;
   }
   CHECK(boxes > 5);
+}
+
+TEST_CASE("what needs no friction is closed at once, and the squares of its W are proved again") {
+  for (const std::size_t boxes : {1, 2, 4}) {
+    const CompleteSolutions all = all_solutions(stack(boxes, Rational(1, 2), 0));
+    CHECK(all.complete());
+    CHECK(all.nodes.size() == 1);
+    CHECK(all.programs == 0);
+    ProofReader(all).read();
+  }
+  CHECK(all_solutions(stack(1, Rational(1, 2), Rational(1, 4))).nodes.size() > 1);  // friction holds it
 }
 
 TEST_CASE("a motion is alone within so many radii of its box that nothing is pinned in, at least one") {
