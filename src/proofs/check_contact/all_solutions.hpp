@@ -310,8 +310,4 @@ class AllSolutions {
   std::optional<Rejected> rejected_;
 };
 
-inline std::string all_solutions(const Problem& problem, Reader& reader) {
-  return AllSolutions(problem, reader).established();
-}
-
 }  // namespace slipproof::check_contact

@@ -115,8 +115,4 @@ class EverySolution {
   Matrix factor_;
 };
 
-inline std::string every_solution(const Problem& problem, Reader& reader) {
-  return EverySolution(problem, reader).check();
-}
-
 }  // namespace slipproof::check_contact
