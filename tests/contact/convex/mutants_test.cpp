@@ -180,7 +180,7 @@ TEST_CASE("mutants of certificates of all solutions are judged alike by two chec
   coupled.erase(coupled.find('#'), coupled.find("dimension") - coupled.find('#'));
   for (const std::string& text :
        {kRests, kRestsInBox, kRestsOrLifts, kTouches, kSharedWeight, kSlides, kSlidesInBox, kParadox, kSticks,
-        kSlidesInSpace, kNearASlide, kNoMotion, kThreeContacts, kBlockRests, kLiftsOff, kOnIce, coupled}) {
+        kSlidesInSpace, kNearASlide, kNoMotion, kThreeContacts, kBlockRests, kGuided, kLiftsOff, kOnIce, coupled}) {
     CAPTURE(text);
     REQUIRE(first_reading(text) == "accepted");
     REQUIRE(second_reading(text) == "accepted");

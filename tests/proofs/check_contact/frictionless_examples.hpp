@@ -24,6 +24,22 @@ inline const std::string kBlockRests =
     "frictionless 0 3  1 0 1 0 1  1 1 0 1 0  1 -1 1 1 1\n"
     "end\n";
 
+/// A block that is guided up and down rests under its weight of 1, and friction moves nothing. The motion is listed
+/// three times, and one square adds nothing.
+inline const std::string kGuided =
+    "slipproof-contact 1\n"
+    "dimension 2 free 0 contacts 1\n"
+    "mu 1/2\n"
+    "matrix 1  0 0 1\n"
+    "constant -1 0\n"
+    "no-answer\n"
+    "all-solutions 3\n"
+    "motion exact 1 0\n"
+    "motion exact 1 1/2\n"
+    "motion box modes stick center 1 0 radius 1/4 1/4 pinned 1 1 dropped 1  1 0 inverse 1  0 0 1\n"
+    "frictionless 0 2  1 1 0  1 0 0\n"
+    "end\n";
+
 /// A point in space lifts off straight.
 inline const std::string kLiftsOff =
     "slipproof-contact 1\n"
