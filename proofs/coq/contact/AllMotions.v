@@ -1,7 +1,7 @@
 (** What is accepted of all motions is true (FORMAT.md, `all-solutions`). *)
 From Coq Require Import NArith Reals List Bool Lra Lia Psatz FMapPositive FunctionalExtensionality.
 From Slipproof.contact Require Import Coulomb Number Fixed Linear Zero Certificate Checker Rows Law Enclose Motions.
-From Slipproof.contact Require Import Arcs States Multipliers Eliminate Alone Known KnownAlone.
+From Slipproof.contact Require Import Arcs States Multipliers Eliminate Alone Known KnownAlone Frictionless.
 Import ListNotations.
 Local Open Scope R_scope.
 
@@ -177,18 +177,38 @@ Section Small.
       rewrite value_abs in R. rewrite table_of_value in C, R. split; [exact C | exact R].
   Qed.
 
+  (** That a motion stands for another one was judged. *)
+  Definition stands_for m r : Prop :=
+    (exists s ys, in_pattern i s r /\ check_known p s m ys = true) \/ exists squares, check_frictionless p m squares = true.
+
+  Lemma frictionless_near l e squares r : check_motion i p (Exact l e) = true -> check_frictionless p (Exact l e) squares = true ->
+    solution P (numbers l) -> solution P r -> is_near P (listed_of i (Exact l e)) (numbers l) r.
+  Proof.
+    intros H F SL SR j J. rewrite size_n in J. rewrite free_is_none. cbn [Nat.add listed_of distance].
+    assert (E := frictionless_only i whole fine_numbers no_free l e squares r F SL SR j J). fold P in E.
+    destruct e as [e|]; cbn [option_map]; [|exact E]. exists (numbers l). split.
+    - apply (in_the_box _ _ _ (check_motion_box _ H)). intros k K. cbn [box_of_motion center_of radius_of].
+      unfold values, absolute. rewrite table_of_value, Rminus_diag_eq, Rabs_R0; [apply Rabs_pos | reflexivity].
+    - rewrite E, Rminus_diag_eq, Rabs_R0 by reflexivity. cbn [check_motion] in H. apply andb_prop in H. destruct H as [_ H].
+      unfold are_distances in H. apply andb_prop in H. destruct H as [_ H]. unfold numbers.
+      destruct (nth_in_or_default j e zero) as [I|Q]; [|rewrite Q, value_zero; lra].
+      rewrite forallb_forall in H. apply sign_nonnegative, H, I.
+  Qed.
+
   Theorem check_motion_sound m : check_motion i p m = true ->
     exists found, is_listed P (listed_of i m) found /\
-      forall s r ys, solution P r -> in_pattern i s r -> check_known p s m ys = true -> is_near P (listed_of i m) found r.
+      forall r, solution P r -> stands_for m r -> is_near P (listed_of i m) found r.
   Proof.
-    intros H. assert (SB := check_motion_box m H).
+    intros H. assert (SB := check_motion_box m H). assert (H' := H).
     destruct m as [l e|modes center radius pinned dropped inverse near]; unfold check_motion in H.
     - cbv zeta in H. cbn [box_of_motion center_of] in H, SB. split_and H.
       exists (numbers l). split; [split; [apply exact_solution; assumption | split]|].
       + apply (in_the_box _ _ _ SB). intros j J. rewrite (proj1 (SB j J)), (proj2 (SB j J)). cbn [listed_of box_center box_radius].
         rewrite Rminus_diag_eq, Rabs_R0; [lra | reflexivity].
       + intros k K Q. discriminate.
-      + intros s r ys SR IP KN. destruct e as [e|]; [|apply (exact_near l s r ys SR IP KN)].
+      + intros r SR [[s [ys [IP KN]]]|[squares F]];
+          [|apply (frictionless_near l e squares r H' F); [apply exact_solution; assumption | exact SR]].
+        destruct e as [e|]; [|apply (exact_near l s r ys SR IP KN)].
         unfold check_known, bounds_of in KN. cbn [vicinity_of box_of_motion] in KN. apply andb_prop in KN. destruct KN as [A Z].
         unfold are_distances in H0. apply andb_prop in H0. destruct H0 as [_ N].
         apply (up_to_near _ _ e (numbers e) ys s r _ SB eq_refl (fun _ => eq_refl) N SR IP A Z).
@@ -203,7 +223,8 @@ Section Small.
         replace (values (center_of b) (N.of_nat j) + d0 (N.of_nat j) - values (center_of b) (N.of_nat j)) with (d0 (N.of_nat j)) by ring.
         apply W.
       + intros ms k Q K. inversion Q; subst. apply M, K.
-      + intros s r ys SR IP KN. unfold check_known, bounds_of in KN. change (box_of_motion p m) with b in KN.
+      + intros r SR [[s [ys [IP KN]]]|[squares F]]; [|discriminate F].
+        unfold check_known, bounds_of in KN. change (box_of_motion p m) with b in KN.
         destruct near as [|l|e]; cbn [m vicinity_of] in KN.
         * apply andb_prop in KN. destruct KN as [A F].
           apply (up_to_near _ _ [] (fun _ => 0) ys s r _ SB eq_refl); try assumption; try reflexivity.
@@ -220,13 +241,13 @@ Section Small.
   (** Each motion of a pattern that is covered is in a case that is known. *)
   Theorem check_tree_sound motions tree : forall patterns, check_tree p motions tree patterns = true ->
     forall s r, In s patterns -> solution P r -> in_pattern i s r ->
-      exists j m, nth_error motions j = Some m /\ exists s ys, in_pattern i s r /\ check_known p s m ys = true.
+      exists j m, nth_error motions j = Some m /\ stands_for m r.
   Proof.
     induction tree as [|x tree IH]; intros [|s0 rest] H s r I SR IP; cbn [check_tree] in H; try discriminate; [destruct I|].
     destruct (match x with Empty _ => _ | _ => _ end) eqn:X in H; [|discriminate]. specialize (IH _ H).
     destruct I as [->|I]; [|apply (IH s r); [apply in_or_app; right|..]; assumption].
     assert (Split : covers p x (state_of s (of_node x)) = true ->
-      exists j m, nth_error motions j = Some m /\ exists s ys, in_pattern i s r /\ check_known p s m ys = true).
+      exists j m, nth_error motions j = Some m /\ stands_for m r).
     { intros C. set (k := N.to_nat (of_node x)).
       assert (K : (k < contacts P)%nat).
       { unfold covers in C. apply andb_prop in C. destruct C as [C _]. apply N.ltb_lt in C. change (t_mus p) with (frictions i) in C.
@@ -240,10 +261,12 @@ Section Small.
       - intros j J. unfold state_of. rewrite look_add. destruct (N.eq_dec (N.of_nat j) (of_node x)) as [E|E].
         + assert (j = k) by (unfold k; lia). subst j. exact AT.
         + apply IP, J. }
-    destruct x as [k|k l|k l|y|k ys]; try (apply Split, X).
+    destruct x as [k|k l|k l|y|k ys|k q]; try (apply Split, X).
     - exfalso. apply (excluded_sound i whole fine_numbers no_free s r SR IP y X).
     - destruct (nth_error motions (N.to_nat k)) as [m|] eqn:M; [|discriminate].
-      exists (N.to_nat k), m. split; [exact M|]. exists s, ys. split; assumption.
+      exists (N.to_nat k), m. split; [exact M|]. left. exists s, ys. split; assumption.
+    - destruct (nth_error motions (N.to_nat k)) as [m|] eqn:M; [|discriminate].
+      exists (N.to_nat k), m. split; [exact M|]. right. exists q. exact X.
   Qed.
 End Small.
 
@@ -264,8 +287,7 @@ Section Instance.
     assert (Ext : forall (x x' : nat -> R), (forall k, x (F + k)%nat = x' k) -> (fun j => x (F + j)%nat) = x')
       by (intros; apply functional_extensionality; assumption).
     assert (Found : forall m, In m motions -> exists X, is_listed P (listed_of i m) X /\
-      forall x s ys, solution P x -> in_pattern small s (fun j => x (F + j)%nat) -> check_known (tables_of small) s m ys = true ->
-        is_near P (listed_of i m) X x).
+      forall x, solution P x -> stands_for small m (fun j => x (F + j)%nat) -> is_near P (listed_of i m) X x).
     { intros m M. rewrite forallb_forall in H1.
       destruct (check_motion_sound small H2 PS NF m (H1 m M)) as [X' [[S [[_ B] MO]] N]].
       destruct (with_free i inverse whole H X') as [X [Z E]]. fold P F in Z, E. exists X. split.
@@ -276,8 +298,8 @@ Section Instance.
         + intros ms k Q' K. apply (in_mode_ext _ _ _ (of_contact Q k X') (of_contact Q k (motion Q X'))); [exact DS| |apply (MO ms k Q' K)].
           intros t T. destruct (same_contact i inverse whole H H2 X k t Z K T) as [A A']. fold P F in A, A'.
           rewrite (Ext X X' E) in A, A'. split; symmetry; assumption.
-      - intros x s ys SX IP KN j J. assert (SX' := solution_without_free i inverse whole H H2 DS x SX).
-        specialize (N s _ ys SX' IP KN j J). change (distance (listed_of small m)) with (distance (listed_of i m)) in N.
+      - intros x SX KN j J. assert (SX' := solution_without_free i inverse whole H H2 DS x SX).
+        specialize (N _ SX' KN j J). change (distance (listed_of small m)) with (distance (listed_of i m)) in N.
         cbn [Nat.add free] in N. change (free (problem_of small)) with 0%nat in N. cbn [Nat.add] in N.
         assert (MX := motion_of_forces i inverse whole H H2 x (proj1 SX) j J).
         assert (MF := motion_of_forces i inverse whole H H2 X Z j J).
@@ -292,9 +314,9 @@ Section Instance.
       cbn in M. inversion M; subst. apply (FO j m' E).
     - intros x SX. assert (SX' := solution_without_free i inverse whole H H2 DS x SX).
       destruct (check_tree_sound small H2 PS NF motions tree _ H0 (PositiveMap.empty state) _ (or_introl eq_refl) SX')
-        as [j [m [M [s [ys [IP KN]]]]]].
+        as [j [m [M KN]]].
       + intros k K. unfold state_of. rewrite look_empty. exact I.
       + exists j, (listed_of i m). split; [rewrite nth_error_map, M; reflexivity|].
-        apply (proj2 (FO j m M) x s ys SX IP KN).
+        apply (proj2 (FO j m M) x SX KN).
   Qed.
 End Instance.

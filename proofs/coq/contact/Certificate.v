@@ -117,7 +117,8 @@ Inductive node :=
   | Slips (k : N) (directions : list (number * number))
   | Arcs (k : N) (directions : list (number * number))
   | Empty (multipliers : list number)
-  | Known (motion : N) (multipliers : list (list number)).
+  | Known (motion : N) (multipliers : list (list number))
+  | Frictionless (motion : N) (squares : list (number * list number)).
 
 (** A claim with what proves it. *)
 Inductive body :=
@@ -188,6 +189,8 @@ Definition written_node (planar : bool) (n : node) : list piece :=
   | Arcs k l => [Word "arcs"; Count k] ++ in_directions l
   | Empty y => Word "empty" :: numerals y
   | Known i ys => [Word "known"; Count i] ++ flat_map numerals ys
+  | Frictionless i l =>
+      [Word "frictionless"; Count i; count l] ++ flat_map (fun s => Numeral (fst s) :: numerals (snd s)) l
   end.
 
 Definition written (planar : bool) (b : body) : list piece :=

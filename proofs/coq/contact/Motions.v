@@ -82,10 +82,11 @@ Definition cases (d : N) (n : node) (s : state) : list state :=
       StickState :: (if N.ltb d 3 then [SlipState ahead ahead; SlipState (opposite_direction ahead) (opposite_direction ahead)]
                      else slips_in (arcs_around l))
   | Arcs _ l => slips_in (arcs_within s l)
-  | Empty _ | Known _ _ => []
+  | Empty _ | Known _ _ | Frictionless _ _ => []
   end.
 
-Definition of_node (n : node) : N := match n with Decide k | Slips k _ | Arcs k _ => k | Empty _ | Known _ _ => 0 end.
+Definition of_node (n : node) : N :=
+  match n with Decide k | Slips k _ | Arcs k _ => k | Empty _ | Known _ _ | Frictionless _ _ => 0 end.
 
 Definition children (d : N) (n : node) (s : pattern) : list pattern :=
   let k := of_node n in map (fun t => PositiveMap.add (key k) t s) (cases d n (state_of s k)).
@@ -311,6 +312,41 @@ Definition check_known (p : tables) (s : pattern) (m : listed) (ys : list (list 
   | OnlyThis _ => forallb (fits p s) (contacts_of p (modes_of p m))
   end.
 
+(** A motion that needs no friction, where W is a sum of squares d l l^T *)
+Section Frictionless.
+  Variable p : tables.
+  Let rows := range 0 (N.to_nat (t_size p)).
+
+  (** No tangential force; and no tangential velocity where there is friction. *)
+  Definition needs_no_friction (l : list number) : bool :=
+    let b := Box (table_of l) empty in
+    forallb (fun c => forallb (fun t => let j := first c + t in
+        is_zero (get (center_of b) j) && (negb (has_friction (t_dim p) c) || is_zero (middle b (row p j))))
+      (range 1 (N.to_nat (t_dim p - 1)))) (all_contacts p).
+
+  (** d, and l as a linear function and as a table *)
+  Definition square_tables (s : number * list number) : number * linear * table :=
+    let l := filter (fun e => negb (is_zero (snd e))) (combine (range 0 (List.length (snd s))) (snd s)) in
+    (fst s, l, accumulate empty one l).
+
+  (** Row j of W, less those of the squares *)
+  Definition rest_of_row (squares : list (number * linear * table)) (j : N) : table :=
+    List.fold_left (fun m s => match s with (d, l, t) =>
+        let x := get t j in if is_zero x then m else accumulate m (opp (mul d x)) l end)
+      squares (accumulate empty one (linear_part (row p j))).
+
+  Definition is_sum_of (squares : list (number * list number)) : bool :=
+    let s := map square_tables squares in
+    forallb (fun s => nonnegative (fst s) && N.eqb (N.of_nat (List.length (snd s))) (t_size p)) squares
+    && forallb (fun j => let m := rest_of_row s j in forallb (fun k => is_zero (get m k)) rows) rows.
+
+  Definition check_frictionless (m : listed) (squares : list (number * list number)) : bool :=
+    match m with
+    | Exact r _ => needs_no_friction r && is_sum_of squares
+    | Boxed _ _ _ _ _ _ _ => false
+    end.
+End Frictionless.
+
 (** A tree, depth first, and the patterns that it still has to cover. *)
 Fixpoint check_tree (p : tables) (motions : list listed) (tree : list node) (patterns : list pattern) : bool :=
   match tree, patterns with
@@ -319,6 +355,7 @@ Fixpoint check_tree (p : tables) (motions : list listed) (tree : list node) (pat
       if match n with
          | Empty y => excluded p s y
          | Known i ys => match nth_error motions (N.to_nat i) with Some m => check_known p s m ys | None => false end
+         | Frictionless i l => match nth_error motions (N.to_nat i) with Some m => check_frictionless p m l | None => false end
          | _ => covers p n (state_of s (of_node n))
          end
       then check_tree p motions tree (children (t_dim p) n s ++ rest) else false

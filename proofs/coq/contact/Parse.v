@@ -107,6 +107,16 @@ Section Claims.
     | _ :: fuel => let* y := some_numbers forces [] ts in some_multipliers fuel (fst y :: done) (snd y)
     end.
 
+  Fixpoint some_squares (fuel : list string) (n : N) (done : list (number * list number)) (ts : list string) :
+      option (list (number * list number) * list string) :=
+    if n =? 0 then Some (rev' done, ts) else
+    match fuel with
+    | [] => None
+    | _ :: fuel =>
+        let* d := one_number ts in let* l := some_numbers forces [] (snd d) in
+        some_squares fuel (N.pred n) ((fst d, fst l) :: done) (snd l)
+    end.
+
   (** How many multipliers a known case has depends on its pattern. *)
   Definition read_node (motions : PositiveMap.t listed) (count : N) (s : pattern) : reader node := fun ts =>
     if at_word "decide" ts then let* k := index_below k (tl ts) in Some (Decide (fst k), snd k) else
@@ -118,6 +128,10 @@ Section Claims.
     if at_word "arcs" ts then
       let* k := index_below k (tl ts) in let* l := directions_of (snd k) in Some (Arcs (fst k) (fst l), snd l) else
     if at_word "empty" ts then let* y := some_numbers forces [] (tl ts) in Some (Empty (fst y), snd y) else
+    if at_word "frictionless" ts then
+      let* m := index_below count (tl ts) in let* n := counted most (snd m) in
+      let* l := some_squares ts (fst n) [] (snd n) in Some (Frictionless (fst m) (fst l), snd l)
+    else
     let* _k := word "known" ts in
     let* m := index_below count (snd _k) in
     let* ys := some_multipliers (bounds_of (tables_of small) s (look (Exact [] None) motions (fst m))) [] (snd m) in

@@ -122,7 +122,7 @@ Theorem cases_cover p n s r u : let d := N.to_nat (t_dim p) in let m := value (n
   exists t, In t (cases (t_dim p) n s) /\ allows d m t r u.
 Proof.
   intros d m D H C A. unfold covers in H. apply andb_prop in H. destruct H as [_ H].
-  destruct n as [k|k l|k l|y|k ys], s as [| | | |a b]; try discriminate; cbn [cases of_node] in *.
+  destruct n as [k|k l|k l|y|k ys|k q], s as [| | | |a b]; try discriminate; cbn [cases of_node] in *.
   - destruct (open_or_closed d m r u D C) as [Q|Q]; eexists; (split; [|exact Q]); [left | right; left]; reflexivity.
   - split_and H. cbn in A. destruct (stick_or_slip d m r u D C A) as [Q|[e [v [E [V [U R]]]]]].
     { exists StickState. split; [left; reflexivity | exact Q]. }

@@ -20,22 +20,20 @@ inline AtContact at_contact(const Problem& reduced, const Vector& numbers, std::
 
 /// 1: v . u > 0 for all velocities u that the state allows; 0: v . u >= 0; -1: it may be negative.
 inline int over_velocities(const State& state, const AtContact& v) {
-  using Kind = State::Kind;
-  if (state.kind == Kind::stick) return 0;
-  if (state.kind == Kind::slip)
+  if (state.kind == Case::stick) return 0;
+  if (state.kind == Case::slip)
     return std::min(dot(v.tangential, state.from).sign(), dot(v.tangential, state.to).sign());
   if (dot(v.tangential, v.tangential).sign() > 0) return -1;
-  const int normal = state.kind == Kind::closed ? 0 : v.normal.sign();
-  return state.kind == Kind::open ? normal : std::min(normal, 0);
+  const int normal = state.kind == Case::closed ? 0 : v.normal.sign();
+  return state.kind == Case::open ? normal : std::min(normal, 0);
 }
 
 /// Whether g . r >= 0 for all forces r that the state allows. Where it slips these are r_N (1, -mu d), and g_T . d is
 /// greatest along g_T, or at an end of the arc.
 inline bool over_forces(const State& state, const Number& mu, const AtContact& g) {
-  using Kind = State::Kind;
-  if (state.kind == Kind::open) return true;
+  if (state.kind == Case::open) return true;
   const bool inside = cross(state.from, g.tangential).sign() > 0 && cross(g.tangential, state.to).sign() > 0;
-  if (state.kind == Kind::slip && !inside) {
+  if (state.kind == Case::slip && !inside) {
     const auto end = [&](const Direction& d) { return g.normal >= mu * dot(g.tangential, d); };
     return end(state.from) && end(state.to);
   }
@@ -56,13 +54,14 @@ class AllSolutions {
     const Matrix inverse = problem.free > 0 ? reader.entries("eliminated", problem.free, problem.free) : Matrix();
     problem_.dimension = problem.dimension;
     problem_.mu = problem.mu;
-    judge(nullptr, 0, [&] {
+    judge([&] {
       problem.require_coulomb();
       problem_ = reduced(problem, inverse);
     });
-    while (motions_.size() < motions) {
+    for (std::size_t i = 0; i < motions; ++i) {
       ListedMotion& motion = motions_.emplace_back(problem_, reader);
-      judge("motion", motions_.size() - 1, [&] { motion.check(problem_); });
+      place_ = "motion " + std::to_string(i) + ": ";
+      judge([&] { motion.check(problem_); });
     }
     pattern_.resize(problem.contacts());
     read_tree();
@@ -84,8 +83,6 @@ class AllSolutions {
   }
 
  private:
-  using Kind = State::Kind;
-
   /// What is still to be read: a case, or that all cases of a contact are.
   struct Pending {
     std::size_t contact;
@@ -95,30 +92,25 @@ class AllSolutions {
 
   /// `node 3: REASON`.
   template <class Check>
-  void judge(const char* what, std::size_t index, const Check& check) {
+  void judge(const Check& check) {
     if (rejected_) return;
     try {
       check();
     } catch (const Rejected& reason) {
-      const std::string place = what == nullptr ? "" : what + (" " + std::to_string(index)) + ": ";
-      rejected_.emplace(place + reason.what());
+      rejected_.emplace(place_ + reason.what());
     }
-  }
-  template <class Check>
-  void judge_node(const Check& check) {
-    judge("node", node_, check);
   }
 
   /// Without recursion, for trees of any depth.
   void read_tree() {
-    for (read_node(); !pending_.empty(); ++node_, read_node()) {
-      for (; !pending_.empty() && !pending_.back().node; pending_.pop_back()) restore();
-      if (pending_.empty()) return;
-      restore();
+    read_node();
+    while (!pending_.empty()) {
+      const Pending next = pending_.back();
       pending_.pop_back();
+      pattern_[next.contact] = next.state;
+      if (next.node) read_node();
     }
   }
-  void restore() { pattern_[pending_.back().contact] = pending_.back().state; }
 
   void split(std::size_t k, const std::vector<State>& cases) {
     pending_.push_back({k, pattern_[k], false});
@@ -126,50 +118,46 @@ class AllSolutions {
   }
 
   void read_node() {
+    place_ = "node " + std::to_string(nodes_++) + ": ";
     if (reader_.accept("decide")) return read_decision();
     if (reader_.accept("slips")) return read_slips();
     if (reader_.accept("arcs")) return read_arcs();
     if (reader_.accept("empty")) return read_empty();
     if (reader_.accept("known")) return read_known();
-    reader_.refuse("'decide', 'slips', 'arcs', 'empty' or 'known'");
+    if (reader_.accept("frictionless")) return read_frictionless();
+    reader_.refuse("'decide', 'slips', 'arcs', 'empty', 'known' or 'frictionless'");
   }
 
   void read_decision() {
     const std::size_t k = reader_.index(pattern_.size());
-    judge_node([&] { require(pattern_[k].kind == Kind::any, "contact", k, "it is decided already"); });
-    split(k, {{Kind::open}, {Kind::closed}});
+    judge([&] { require(pattern_[k].kind == Case::any, "contact", k, "it is decided already"); });
+    split(k, {{Case::open}, {Case::closed}});
   }
 
   void read_slips() {
     const std::size_t k = reader_.index(pattern_.size());
-    judge_node([&] {
-      require(pattern_[k].kind == Kind::closed, "contact", k, "it is not closed, or it sticks or slips already");
+    judge([&] {
+      require(pattern_[k].kind == Case::closed, "contact", k, "it is not closed, or it sticks or slips already");
       require(problem_.has_friction(k), "contact", k, "it has no friction");
     });
-    std::vector<State> cases{{Kind::stick}};
-    if (problem_.dimension < 3) {
-      for (const int d : {1, -1}) cases.push_back({Kind::slip, {d, 0}, {d, 0}});
-      return split(k, cases);
-    }
+    const State sticks{Case::stick}, forward{Case::slip, {1, 0}, {1, 0}}, backward{Case::slip, {-1, 0}, {-1, 0}};
+    if (problem_.dimension < 3) return split(k, {sticks, forward, backward});
     std::vector<Direction> directions = read_directions();
-    judge_node([&] { require(directions.size() >= 3, "the arcs do not go round: there are fewer than 3"); });
+    judge([&] { require(directions.size() >= 3, "the arcs do not go round: there are fewer than 3"); });
     if (!directions.empty()) directions.push_back(directions.front());
-    add_arcs(cases, directions);
-    split(k, cases);
+    split(k, arcs({sticks}, directions));
   }
 
   void read_arcs() {
     const std::size_t k = reader_.index(pattern_.size());
-    judge_node([&] {
-      require(pattern_[k].kind == Kind::slip, "contact", k, "it does not slip");
+    judge([&] {
+      require(pattern_[k].kind == Case::slip, "contact", k, "it does not slip");
       require(problem_.dimension == 3, "contact", k, "it slips in one direction");
     });
     std::vector<Direction> directions = read_directions();
     directions.insert(directions.begin(), pattern_[k].from);
     directions.push_back(pattern_[k].to);
-    std::vector<State> cases;
-    add_arcs(cases, directions);
-    split(k, cases);
+    split(k, arcs({}, directions));
   }
 
   std::vector<Direction> read_directions() {
@@ -177,23 +165,24 @@ class AllSolutions {
     for (std::size_t left = reader_.count(); left > 0; --left) {
       Direction& d = result.emplace_back();
       for (Number& x : d) x = reader_.number();
-      judge_node([&] { require(dot(d, d) == 1, "a direction has not length 1"); });
+      judge([&] { require(dot(d, d) == 1, "a direction has not length 1"); });
     }
     return result;
   }
 
-  /// From each direction to the next.
-  void add_arcs(std::vector<State>& cases, const std::vector<Direction>& directions) {
+  /// These cases, and the arcs from each direction to the next.
+  std::vector<State> arcs(std::vector<State> cases, const std::vector<Direction>& directions) {
     for (std::size_t i = 0; i + 1 < directions.size(); ++i) {
       const Direction &a = directions[i], &b = directions[i + 1];
-      judge_node(
-          [&] { require(cross(a, b).sign() > 0, "arc", i, "it is not counterclockwise and below half a turn"); });
-      cases.push_back({Kind::slip, a, b});
+      judge([&] { require(cross(a, b).sign() > 0, "arc", i, "it is not counterclockwise and below half a turn"); });
+      cases.push_back({Case::slip, a, b});
     }
+    return cases;
   }
 
-  /// y . q, which f . u + h . r is at least in the pattern; `strict`: and more than this.
-  Number proved(const Bound& bound, const Vector& y, bool& strict) const {
+  /// y . q, which f . u + h . r is at least in the pattern, and whether it is more than this.
+  std::pair<Number, bool> proved(const Bound& bound, const Vector& y) const {
+    bool strict = false;
     Vector v, g(y.size());
     for (const Number& component : y) v.push_back(-component);
     for (const auto& [i, f] : bound.f) v[i] += f;
@@ -211,27 +200,26 @@ class AllSolutions {
       require(force, "contact", k, "g . r may be negative");
       strict = strict || motion > 0;
     }
-    return sum;
+    return {sum, strict};
   }
 
   Vector read_multipliers() { return reader_.numbers(problem_.size()); }
 
   void read_empty() {
     const Vector y = read_multipliers();
-    judge_node([&] {
-      bool strict = false;
-      const int sign = proved({}, y, strict).sign();
-      require(sign > 0 || (sign == 0 && strict), "y . q is not positive, and not 0 where more than that is proved");
+    judge([&] {
+      const auto [sum, strict] = proved({}, y);
+      require(sum.sign() > 0 || (sum.sign() == 0 && strict),
+              "y . q is not positive, and not 0 where more than that is proved");
     });
   }
 
   template <class Claim>
   void read_bound(const Claim& claim) {
     const Vector y = read_multipliers();
-    judge_node([&] {
-      bool strict = false;
+    judge([&] {
       const Bound bound = claim();
-      require(proved(bound, y, strict) >= bound.least, "y . q is less than the bound");
+      require(proved(bound, y).first >= bound.least, "y . q is less than the bound");
     });
   }
 
@@ -240,7 +228,7 @@ class AllSolutions {
     const MotionBox* alone = motion.alone();
     if (alone == nullptr) return read_velocities(motion);
     for (std::size_t k = 0; k < pattern_.size(); ++k) {
-      judge_node([&] { require(alone->has_state(k, pattern_[k]), "contact", k, "the motion has another mode"); });
+      judge([&] { require(alone->has_state(k, pattern_[k]), "contact", k, "the motion has another mode"); });
       for (std::size_t t = 0; t < problem_.dimension; ++t) {
         const std::size_t i = problem_.normal(k) + t;
         const auto force = alone->alone(i);
@@ -253,20 +241,19 @@ class AllSolutions {
   }
 
   bool is_zero_row(std::size_t i) const {
-    const Kind kind = pattern_[i / problem_.dimension].kind;
-    return kind == Kind::stick || (i % problem_.dimension == 0 && (kind == Kind::closed || kind == Kind::slip));
+    const Case kind = pattern_[i / problem_.dimension].kind;
+    return kind == Case::stick || (i % problem_.dimension == 0 && (kind == Case::closed || kind == Case::slip));
   }
 
   /// u is where the motion is.
   void read_velocities(const ListedMotion& motion) {
     for (std::size_t i = 0; i < problem_.size(); ++i) {
-      const auto place = [&, i] { return motion.place(i); };
-      if (!is_zero_row(i)) {
-        read_bound([&] { return Bound{{{i, 1}}, {}, place().low}; });
-        read_bound([&] { return Bound{{{i, -1}}, {}, -place().high}; });
-        continue;
+      if (is_zero_row(i)) {
+        judge([&] { require(!motion.place(i).misses_zero(), "row", i, "u of the motion is not 0"); });
+      } else {
+        read_bound([&] { return Bound{{{i, 1}}, {}, motion.place(i).low}; });
+        read_bound([&] { return Bound{{{i, -1}}, {}, -motion.place(i).high}; });
       }
-      judge_node([&] { require(!place().misses_zero(), "row", i, "u of the motion is not 0"); });
     }
   }
 
@@ -278,6 +265,30 @@ class AllSolutions {
     const std::size_t i = problem_.normal(k);
     read_bound([&] { return Bound{{{i + 1, -x}, {i + 2, -y}}, {{i, s.high * mu * c}}, {}}; });
     read_bound([&] { return Bound{{{i + 1, x}, {i + 2, y}}, {{i, -(s.low * mu * (1 + c / 2))}}, {}}; });
+  }
+
+  /// Of another solution, (r' - r) . W (r' - r) = (r' - r) . (u' - u) <= 0 where r and u need no friction; with W a sum
+  /// of squares, u' = u.
+  void read_frictionless() {
+    const ListedMotion& motion = motions_[reader_.index(motions_.size())];
+    judge([&] { motion.check_frictionless(problem_); });
+    Matrix rest = problem_.A;
+    const std::size_t count = reader_.count();
+    for (std::size_t s = 0; s < count; ++s) {
+      const Number d = reader_.number();
+      Row l;
+      for (std::size_t i = 0; i < problem_.size(); ++i) l.emplace(i, reader_.number());
+      std::erase_if(l, [](const auto& entry) { return entry.second.sign() == 0; });
+      judge([&] {
+        require(d.sign() >= 0, "square", s, "its factor is negative");
+        add_square(rest, -d, l);
+      });
+    }
+    judge([&] {
+      for (std::size_t i = 0; i < rest.size(); ++i) {
+        for (const auto& [j, a] : rest[i]) require(a.sign() == 0, "row", i, "W is not the sum of the squares");
+      }
+    });
   }
 
   bool are_different() const {
@@ -294,12 +305,9 @@ class AllSolutions {
   std::vector<ListedMotion> motions_;
   std::vector<State> pattern_;
   std::vector<Pending> pending_;
-  std::size_t node_ = 0;
+  std::size_t nodes_ = 0;
+  std::string place_;  ///< of what is judged
   std::optional<Rejected> rejected_;
 };
-
-inline std::string all_solutions(const Problem& problem, Reader& reader) {
-  return AllSolutions(problem, reader).established();
-}
 
 }  // namespace slipproof::check_contact

@@ -52,11 +52,7 @@ class Ball : public Neighbourhood {
   /// M^T M - least^2 - L L^T is semidefinite.
   void check_least(const Matrix& M) const {
     Matrix rest(factor_.size());
-    for (const Row& row : M) {
-      for (const auto& [j, a] : row) {
-        for (const auto& [k, b] : row) rest[j][k] += a * b;
-      }
-    }
+    for (const Row& row : M) add_square(rest, 1, row);
     for (std::size_t j = 0; j < rest.size(); ++j) rest[j][j] += -square(least_);
     subtract_square(rest, factor_);
     check_semidefinite(rest);

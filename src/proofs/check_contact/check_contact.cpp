@@ -18,8 +18,8 @@ std::string claim(const Problem& problem, Reader& reader, const char* expected) 
   if (reader.accept("enclosure")) return near_answer<Enclosure>(problem, reader);
   if (reader.accept("ball")) return near_answer<Ball>(problem, reader);
   if (reader.accept("unique")) return unique(problem, reader);
-  if (reader.accept("every-solution")) return every_solution(problem, reader);
-  if (reader.accept("all-solutions")) return all_solutions(problem, reader);
+  if (reader.accept("every-solution")) return EverySolution(problem, reader).check();
+  if (reader.accept("all-solutions")) return AllSolutions(problem, reader).established();
   reader.refuse(expected);
 }
 

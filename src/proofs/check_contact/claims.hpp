@@ -2,6 +2,8 @@
 // and return in words what is established.
 #pragma once
 
+#include <span>
+
 #include "proofs/check_contact/laws.hpp"
 
 namespace slipproof::check_contact {
@@ -52,7 +54,7 @@ inline Range square(const Range& x) {
 }
 
 /// Whether contact k fails its law for all forces r and motions u in these ranges.
-inline bool fails(const Problem& problem, std::size_t k, const std::vector<Range>& r, const std::vector<Range>& u) {
+inline bool fails(const Problem& problem, std::size_t k, std::span<const Range> r, std::span<const Range> u) {
   bool open = u[0].high.sign() >= 0, stick = r[0].high.sign() >= 0, slide = stick && !u[0].misses_zero();
   Range force, product;
   for (std::size_t i = 0; i < problem.dimension; ++i) {
@@ -83,10 +85,7 @@ inline std::string none_within(const Problem& problem, Reader& reader) {
     forces.push_back(around(x[i], rho));
     if (i < problem.free && motions[i].misses_zero()) return nowhere + "row " + std::to_string(i);
   }
-  const auto of = [&](const std::vector<Range>& ranges, std::size_t k) {
-    const auto begin = ranges.begin() + static_cast<std::ptrdiff_t>(problem.normal(k));
-    return std::vector<Range>(begin, begin + static_cast<std::ptrdiff_t>(problem.dimension));
-  };
+  const auto of = [&](std::span<const Range> ranges, std::size_t k) { return ranges.subspan(problem.normal(k)); };
   for (std::size_t k = 0; k < problem.contacts(); ++k) {
     if (fails(problem, k, of(forces, k), of(motions, k))) return nowhere + "contact " + std::to_string(k);
   }
@@ -129,23 +128,28 @@ inline void check_dominant(const Matrix& A, const Vector& d) {
   }
 }
 
+/// Adds d x x^T to a matrix.
+inline void add_square(Matrix& to, const Number& d, const Row& x) {
+  for (const auto& [i, a] : x) {
+    const Number multiple = d * a;
+    for (const auto& [j, b] : x) to[i][j] += multiple * b;
+  }
+}
+
 /// Takes L L^T from a matrix.
 inline void subtract_square(Matrix& from, const Matrix& L) {
   Matrix columns(L.size());
   for (std::size_t i = 0; i < L.size(); ++i) {
-    for (const auto& [k, l] : L[i]) columns[k][i] = -l;
+    for (const auto& [k, l] : L[i]) columns[k][i] = l;
   }
-  for (std::size_t i = 0; i < L.size(); ++i) {
-    for (const auto& [k, l] : L[i]) {
-      for (const auto& [j, minus] : columns[k]) from[i][j] += l * minus;
-    }
-  }
+  for (const Row& column : columns) add_square(from, -1, column);
 }
 
 /// A + A^T - L L^T.
 inline Matrix remainder(const Matrix& A, const Matrix& L) {
   Matrix result(A.size());
   for (std::size_t i = 0; i < A.size(); ++i) {
+    require(L[i].empty() || L[i].rbegin()->first <= i, "row", i, "an entry stands above the diagonal");
     for (const auto& [j, a] : A[i]) result[i][j] += a, result[j][i] += a;
   }
   subtract_square(result, L);
@@ -236,9 +240,6 @@ inline std::string unique(const Problem& problem, Reader& reader) {
   problem.require_coulomb();
   require(problem.free == 0, "the problem has free unknowns");
   require(problem.dimension == (planar ? 2 : 1), "the class is not one of this dimension");
-  for (std::size_t i = 0; i < L.size(); ++i) {
-    require(L[i].empty() || L[i].rbegin()->first <= i, "row", i, "an entry stands above the diagonal");
-  }
   const Matrix A = kind == "bound" ? lowered(problem) : problem.A;
   check_dominant(kind == "dominant" ? A : remainder(A, L), d);
   if (kind == "determinants") check_determinants(problem);

@@ -61,7 +61,9 @@ class Neighbourhood {
   /// Row i of A x + c.
   Range w(std::size_t i) const {
     const Equation row = motion(i);
-    return around(row.value, row.value - least(row));
+    Number spread;
+    for (const auto& [j, a] : row.slope) spread += abs(a) * radius_[j];
+    return around(row.value, spread);
   }
 
  protected:
@@ -87,27 +89,15 @@ class Neighbourhood {
 
  private:
   Mode mode(Reader& reader, std::size_t k) {
-    const bool friction = problem_.has_friction(k);
+    const bool friction = problem_.has_friction(k), box = problem_.law.is(Law::Kind::box);
     if (reader.accept("open")) return Mode::open;
     if (reader.accept("touch")) return Mode::touch;
     if (reader.accept("stick")) return Mode::stick;
-    if (friction && problem_.dimension == 3 && !problem_.law.is(Law::Kind::box) && reader.accept("slide")) {
-      return Mode::slide;
-    }
-    const bool box = problem_.dimension == 3 && problem_.law.is(Law::Kind::box);
-    constexpr std::array<std::pair<const char*, Signs>, 10> faces{{{"slide+", {1, 0}},
-                                                                   {"slide-", {-1, 0}},
-                                                                   {"slide+0", {1, 0}},
-                                                                   {"slide-0", {-1, 0}},
-                                                                   {"slide0+", {0, 1}},
-                                                                   {"slide0-", {0, -1}},
-                                                                   {"slide++", {1, 1}},
-                                                                   {"slide+-", {1, -1}},
-                                                                   {"slide-+", {-1, 1}},
-                                                                   {"slide--", {-1, -1}}}};
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      if (!friction || !(i < 2 ? problem_.dimension == 2 : box) || !reader.accept(faces[i].first)) continue;
-      signs_[k] = faces[i].second;
+    if (friction && problem_.dimension == 3 && !box && reader.accept("slide")) return Mode::slide;
+    for (const std::string_view signs : {"+", "-", "+0", "-0", "0+", "0-", "++", "+-", "-+", "--"}) {
+      const bool possible = friction && signs.size() == problem_.dimension - 1 && (problem_.dimension == 2 || box);
+      if (!possible || !reader.accept("slide" + std::string(signs))) continue;
+      for (std::size_t t = 0; t < signs.size(); ++t) signs_[k][t] = signs[t] == '+' ? 1 : signs[t] == '-' ? -1 : 0;
       return Mode::faces;
     }
     reader.refuse("a mode that contact " + std::to_string(k) + " can have");
@@ -228,27 +218,16 @@ class Neighbourhood {
     }
   }
 
-  /// The least that a linear function is in the box.
-  Number least(const Equation& function) const {
-    Number result = function.value;
-    for (const auto& [j, a] : function.slope) result += -abs(a) * radius_[j];
-    return result;
-  }
-
   /// u_N >= 0, and by the associated law u_N >= m |u_T|.
   void check_open(std::size_t k) const {
     const std::size_t row = problem_.normal(k);
-    const Number normal = least(motion(row));
+    const Number normal = w(row).low;
     require(normal.sign() >= 0, "contact", k, "u_N may be negative");
     if (!opens_) return;
     Number tangential;
     for (std::size_t t = 1; t < problem_.dimension; ++t) {
-      Equation u = motion(row + t);
-      if (u.value.sign() < 0) {
-        u.value = -u.value;
-        for (auto& [j, a] : u.slope) a = -a;
-      }
-      tangential += square(2 * u.value - least(u));  // the greatest |u_t|
+      const Range u = w(row + t);
+      tangential += square(std::max(-u.low, u.high));
     }
     require(square(problem_.mu[k]) * tangential <= square(normal), "contact", k, "u_N may be less than m |u_T|");
   }
@@ -276,10 +255,8 @@ class Neighbourhood {
       force += square(most);
       if (problem_.law.is(Law::Kind::box)) require(most <= limit, "contact", k, "the force may leave the friction box");
       if (sign == 0) continue;
-      Equation sliding = motion(row + t);
-      if (sign < 0) sliding.value = -sliding.value;
-      for (auto& [j, a] : sliding.slope) a = sign < 0 ? -a : a;
-      require(least(sliding).sign() >= 0, "contact", k, "u_T may have the other sign");
+      const Range u = w(row + t);
+      require((sign > 0 ? u.low : -u.high).sign() >= 0, "contact", k, "u_T may have the other sign");
     }
     const bool cone = modes_[k] == Mode::stick && !problem_.law.is(Law::Kind::box);
     require(!cone || force <= square(limit), "contact", k, "the force may leave the friction cone");
@@ -295,6 +272,9 @@ class Enclosure : public Neighbourhood {
   Enclosure(const Problem& problem, Reader& reader) : Neighbourhood(problem, reader) {
     inverse_ = reader.entries("inverse", unknowns_ - pinned_.size(), unknowns_ - dropped_.size());
   }
+
+ protected:
+  Number alone_{};  ///< how many times the radii hold no second zero
 
  private:
   /// For each unknown that is left, |R f| + |I - R J| p + |R| q <= p and |I - R J| p < p.
@@ -318,10 +298,6 @@ class Enclosure : public Neighbourhood {
     }
   }
 
- protected:
-  Number alone_{};  ///< how many times the radii hold no second zero
-
- private:
   Matrix inverse_;
 };
 

@@ -43,10 +43,12 @@ inline Number cross(const Direction& a, const Direction& b) {
   return a[0] * b[1] - a[1] * b[0];
 }
 
-/// A case at a contact (FORMAT.md, the table of states).
+/// FORMAT.md, the table of states.
+enum class Case { any, open, closed, stick, slip };
+
+/// A case at a contact.
 struct State {
-  enum class Kind { any, open, closed, stick, slip };
-  Kind kind = Kind::any;
+  Case kind = Case::any;
   Direction from{}, to{};  ///< slip: the ends of the arc; in dimension 2 both are (1, 0) or (-1, 0)
 };
 
@@ -67,12 +69,11 @@ class MotionBox : public Enclosure {
 
   /// Whether the mode has this state at a contact, in whatever arc.
   bool has_state(std::size_t k, const State& state) const {
-    using Kind = State::Kind;
     const Mode mode = modes_[k];
-    if (mode == Mode::open) return state.kind == Kind::open;
-    if (mode == Mode::stick) return state.kind == (problem_.has_friction(k) ? Kind::stick : Kind::closed);
+    if (mode == Mode::open) return state.kind == Case::open;
+    if (mode == Mode::stick) return state.kind == (problem_.has_friction(k) ? Case::stick : Case::closed);
     const bool same_side = mode == Mode::slide || state.from[0].sign() == signs_[k][0];
-    return mode != Mode::touch && state.kind == Kind::slip && same_side;
+    return mode != Mode::touch && state.kind == Case::slip && same_side;
   }
 
   /// Where component i of r may be for the mode; nothing if it is 0 there.
@@ -125,6 +126,17 @@ class ListedMotion {
     Number result;
     for (std::size_t i = 0; !alone() && i < u_.size(); ++i) result = std::max(result, place(i).high - u_[i].low);
     return result;
+  }
+
+  /// Exact, without a tangential force, and without sliding where there is friction.
+  void check_frictionless(const Problem& reduced) const {
+    require(!box_, "the motion is in a box");
+    for (std::size_t i = 0; i < u_.size(); ++i) {
+      if (i % reduced.dimension == 0) continue;
+      const bool friction = reduced.has_friction(i / reduced.dimension);
+      require(forces_[i].sign() == 0, "row", i, "r_T of the motion is not 0");
+      require(!friction || u_[i].low.sign() == 0, "row", i, "u_T of the motion is not 0, with friction");
+    }
   }
 
   /// Two motions of which each row of u may be the same need not be different.

@@ -31,6 +31,7 @@ struct Law {
   Number slip_speed;  ///< linear and soft
 
   bool is(Kind which) const { return kind == which; }
+  bool is_regularised() const { return is(Kind::linear) || is(Kind::soft); }
 };
 
 /// w = A x + c.
@@ -63,23 +64,19 @@ struct Problem {
   }
 
   void read_law(Reader& reader) {
-    using Kind = Law::Kind;
-    if (reader.accept("box")) {
-      law.kind = Kind::box;
-    } else if (reader.accept("diamond")) {
-      law.kind = Kind::diamond;
-    } else if (reader.accept("fixed")) {
-      law.kind = Kind::fixed;
-      law.bounds = reader.numbers((dimension - 1) * contacts());
-    } else if (reader.accept("associated")) {
-      law.kind = Kind::associated;
-    } else if (reader.accept("regularised")) {
-      law.kind = reader.accept("linear") ? Kind::linear : Kind::soft;
-      if (law.is(Kind::soft)) reader.expect("soft");
-      law.slip_speed = reader.number();
-    } else {
-      reader.refuse("'box', 'diamond', 'fixed', 'associated' or 'regularised'");
-    }
+    law.kind = read_kind(reader);
+    if (law.is(Law::Kind::fixed)) law.bounds = reader.numbers((dimension - 1) * contacts());
+    if (law.is_regularised()) law.slip_speed = reader.number();
+  }
+  static Law::Kind read_kind(Reader& reader) {
+    if (reader.accept("box")) return Law::Kind::box;
+    if (reader.accept("diamond")) return Law::Kind::diamond;
+    if (reader.accept("fixed")) return Law::Kind::fixed;
+    if (reader.accept("associated")) return Law::Kind::associated;
+    if (!reader.accept("regularised")) reader.refuse("'box', 'diamond', 'fixed', 'associated' or 'regularised'");
+    if (reader.accept("linear")) return Law::Kind::linear;
+    reader.expect("soft");
+    return Law::Kind::soft;
   }
 
   std::size_t contacts() const { return mu.size(); }
@@ -102,8 +99,7 @@ struct Problem {
 
   void check_law_numbers() const {
     for (const Number& bound : law.bounds) require(bound.sign() >= 0, "a bound is negative");
-    const bool slips = law.is(Law::Kind::linear) || law.is(Law::Kind::soft);
-    require(!slips || law.slip_speed.sign() > 0, "the slip speed is not positive");
+    require(!law.is_regularised() || law.slip_speed.sign() > 0, "the slip speed is not positive");
     require(dimension > 1 || law.is(Law::Kind::coulomb), "without friction there is no law of it");
   }
 
@@ -135,9 +131,8 @@ struct Problem {
     if (!law.is(Law::Kind::coulomb)) {
       constexpr std::array<const char*, 7> words{
           "", "box", "diamond", "fixed", "associated", "regularised linear", "regularised soft"};
-      const bool slips = law.is(Law::Kind::linear) || law.is(Law::Kind::soft);
       add(("law " + std::string(words[static_cast<std::size_t>(law.kind)])).c_str(),
-          slips ? Vector{law.slip_speed} : law.bounds);
+          law.is_regularised() ? Vector{law.slip_speed} : law.bounds);
     }
     return hash.hexadecimal();
   }

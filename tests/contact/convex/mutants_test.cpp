@@ -9,6 +9,7 @@
 #include "contact/judge/certificate.hpp"
 #include "contact/judge/judge.hpp"
 #include "proofs/check_contact/all_solutions_examples.hpp"
+#include "proofs/check_contact/frictionless_examples.hpp"
 #include "proofs/check_contact/record.hpp"
 #include "support/how_many.hpp"
 #include "support/run_program.hpp"
@@ -177,8 +178,9 @@ TEST_CASE("mutants of certificates of all solutions are judged alike by two chec
   std::string coupled =  // in space, to a free unknown
       read_file(SLIPPROOF_SOURCE_DIR "/tests/proofs/verified/all_solutions/with-free-unknown.cert");
   coupled.erase(coupled.find('#'), coupled.find("dimension") - coupled.find('#'));
-  for (const std::string& text : {kRests, kRestsInBox, kRestsOrLifts, kTouches, kSharedWeight, kSlides, kSlidesInBox,
-                                  kParadox, kSticks, kSlidesInSpace, kNearASlide, kNoMotion, kThreeContacts, coupled}) {
+  for (const std::string& text :
+       {kRests, kRestsInBox, kRestsOrLifts, kTouches, kSharedWeight, kSlides, kSlidesInBox, kParadox, kSticks,
+        kSlidesInSpace, kNearASlide, kNoMotion, kThreeContacts, kBlockRests, kGuided, kLiftsOff, kOnIce, coupled}) {
     CAPTURE(text);
     REQUIRE(first_reading(text) == "accepted");
     REQUIRE(second_reading(text) == "accepted");

@@ -135,6 +135,7 @@ class All {
     const std::string word = words_.next();
     if (word == "empty") return read_empty();
     if (word == "known") return read_known();
+    if (word == "frictionless") return read_frictionless();
     if (word != "decide" && word != "slips" && word != "arcs") throw Garbled();
     const std::size_t k = words_.count(p_.K);
     if (word == "decide") {
@@ -264,6 +265,32 @@ class All {
       read_bound({{i + 1, -x}, {i + 2, -y}}, {{i, around(box.slip[k], 1) * m * c}}, 0);
       read_bound({{i + 1, x}, {i + 2, y}}, {{i, -around(box.slip[k], -1) * m * (1 + c / 2)}}, 0);
     }
+  }
+
+  /// W = L^T D L, and a motion that does without friction.
+  void read_frictionless() {
+    const Listed& m = motions_[words_.count(motions_.size())];
+    Vec d;
+    Mat L;
+    for (std::size_t left = words_.count(100000000); left > 0; --left) {
+      d.push_back(words_.number());
+      L.push_back(words_.numbers(n_));
+    }
+    when_read([&] {
+      need(!m.box, "box");
+      for (std::size_t k = 0; k < p_.K; ++k) {
+        for (std::size_t i = row(k) + 1; i < row(k + 1); ++i)
+          need(m.r[i] == 0 && (!rubs(k) || m.u[i].low == 0), "rubs");
+      }
+      for (const Q& factor : d) need(factor >= 0, "factor");
+      for (std::size_t i = 0; i < n_; ++i) {
+        for (std::size_t j = 0; j < n_; ++j) {
+          Q sum;
+          for (std::size_t s = 0; s < d.size(); ++s) sum += d[s] * L[s][i] * L[s][j];
+          need(sum == p_.A[i][j], "squares");
+        }
+      }
+    });
   }
 
   const Certificate& given_;

@@ -99,9 +99,11 @@ TEST_CASE("all solutions: a tree covers everything") {
                        {"    empty 0 1", "    arcs 0 0 empty 0 1", node(5, "contact 0: it slips in one direction")}});
   // A child that is missing: what follows is not a node.
   CHECK(verdict(replaced(kRests, "  known 0\n", "")) ==
-        "unreadable: line 11, column 1: found 'end', expected 'decide', 'slips', 'arcs', 'empty' or 'known'");
+        "unreadable: line 11, column 1: found 'end', expected 'decide', 'slips', 'arcs', 'empty', 'known' or "
+        "'frictionless'");
   CHECK(verdict(replaced(kSlides, "    empty 0 1\n", "")) ==
-        "unreadable: line 14, column 1: found 'end', expected 'decide', 'slips', 'arcs', 'empty' or 'known'");
+        "unreadable: line 14, column 1: found 'end', expected 'decide', 'slips', 'arcs', 'empty', 'known' or "
+        "'frictionless'");
   CHECK(verdict(replaced(kRests, "  known 0\n", "  known 0 known 0\n")) ==
         "unreadable: line 11, column 11: found 'known', expected a claim or 'end'");
 }
@@ -327,7 +329,8 @@ TEST_CASE("all solutions: what is no certificate is refused with its place") {
   }
   const std::string within = refused(kRestsInBox, "alone 4", "alone 4 within 0");
   CHECK(within ==
-        "unreadable: line 9, column 88: found 'within', expected 'decide', 'slips', 'arcs', 'empty' or 'known'");
+        "unreadable: line 9, column 88: found 'within', expected 'decide', 'slips', 'arcs', 'empty', 'known' or "
+        "'frictionless'");
   CHECK(refused(kRestsInBox, "alone 4", "alone").starts_with("unreadable: line 10, column 1: "));
   CHECK(refused(kNearASlide, "within 0 9/32", "within 0").starts_with("unreadable: "));
   for (const char* mode : {"closed", "slide", "slip+"}) {

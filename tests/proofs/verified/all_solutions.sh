@@ -71,5 +71,31 @@ rejected near-a-slide s/within 0 1\/16 1\/16/within 0 1\/16 -1/
 rejected with-free-unknown s/eliminated 1 0 0 1/eliminated 1 0 0 3/
 rejected with-free-unknown s/alone 488/alone 4880/
 rejected with-free-unknown s/alone 488/alone 1/
+accepted block-rests s/1\/2 0  1\/2 0/1\/2 0  1\/2 0 within 0 0 0 1/
+accepted block-rests s/0 3  1/0 4  0 5 6 7 8  1/
+rejected block-rests s/1\/2 0  1\/2 0/1\/2 0  1\/2 0 within 0 0 0 -1/
+rejected block-rests s/1\/2 0  1\/2 0/1\/2 1\/8  1\/2 -1\/8/
+rejected block-rests s/0 3 -1/0 3 -2/
+rejected block-rests s/3 1 2/3 1 3/
+rejected block-rests s/1 1 2/1 1 3/
+rejected block-rests s/2 3 1/2 3 0/
+rejected block-rests s/  1 -1 1 1 1/  -1 -1 1 1 1/
+rejected block-rests s/  1 -1 1 1 1/  1 -1 1 1 7\/8/
+rejected block-rests s/0 3  1 0 1 0 1/0 2/
+unreadable block-rests s/0 3  1 0 1 0 1/0 3/
+unreadable block-rests s/frictionless 0/frictionless 1/
+unreadable block-rests s/1 1 1$/1 1/
+accepted lifts-off s/3  2 1 0 0/4  1 1 0 0  1 1 0 0/
+rejected lifts-off s/constant -2 1 0 0/constant -2 1 0 1/
+rejected lifts-off s/constant -2 1 0 0/constant -2 1 1 0/
+rejected lifts-off s/3  2 1 0 0/3  1 1 0 0/
+rejected lifts-off s/3  2 1 0 0/2/
+rejected lifts-off s/matrix 5/matrix 6  2 3 1/
+rejected on-ice s/mu 0 1/mu 1 1/
+rejected on-ice s/-1 2  -1 0/-1 2  1 2/;s/1 0  1 0/1 0  0 0/
+rejected on-ice s/1 0  1 0$/2 0  1 0/
+rejected rests-or-lifts s/solutions 2/solutions 1/;s/motion exact 1//;s/decide.*/frictionless 0 1  -1 1/;s/ *known.*//
+rejected rests-or-lifts s/solutions 2/solutions 1/;s/motion exact 1//;s/decide.*/frictionless 0 1  1 1/;s/ *known.*//
+rejected rests s/alone 1//;s/decide.*/frictionless 0 1  1 1/;s/ *empty.*//;s/ *known.*//
 END
 echo "$changes changes are judged as they should be"
