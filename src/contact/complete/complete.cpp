@@ -123,6 +123,15 @@ class SolutionSearch {
       find_from(node.pattern, program.middle(), visit);
     }
     visit.programs = program.solved();
+    if (decided && visit.candidates.empty() && widest_arc(node.pattern) == 0) find_inside(node.pattern, visit);
+  }
+
+  /// A motion whose forces are inside of the cones, though they nearly touch these.
+  void find_inside(const ContactPattern& pattern, Visit& visit) const {
+    PatternProgram program(exact_, problem_.integers, problem_.floating, pattern, PatternProgram::Cones::within);
+    const auto point = program.feasibility().point;
+    if (point) find_from(pattern, *point, visit);
+    visit.programs += program.solved();
   }
 
   /// Whether nothing but directions is left to decide.

@@ -90,6 +90,7 @@ class MotionFinder {
     }
     Eigen::MatrixXd J(n, n);
     Eigen::VectorXd F(n);
+    double last = 1;  // the step before, relative to the unknowns
     for (int step = 0, settled = 0; step < 40; ++step) {
       for (Eigen::Index i = 0; i < n; ++i) {
         const auto& equation = equations[static_cast<std::size_t>(i)];
@@ -99,10 +100,13 @@ class MotionFinder {
       for (const Eigen::Index j : held) J.col(j).setZero();
       const Eigen::VectorXd d = J.completeOrthogonalDecomposition().solve(F);
       if (!d.allFinite()) return false;
-      double size = 0;
+      double size = 1e-300;
       for (Eigen::Index j = 0; j < n; ++j) size = std::max(size, std::abs(z[static_cast<std::size_t>(j)] -= d[j]));
       if (size > 1e9) return false;
-      if (d.lpNorm<Eigen::Infinity>() <= 1e-14 * size && ++settled == 2) {  // once more, for the small unknowns
+      const double change = d.lpNorm<Eigen::Infinity>() / size;
+      const bool is_rounding = change <= 1e-14 || (change <= 1e-11 && change > last / 2);
+      last = change;
+      if (is_rounding && ++settled == 2) {  // once more, for the small unknowns
         derivative_ = J;
         return F.lpNorm<Eigen::Infinity>() < 1e-10 * std::max(size, 1.0);
       }
@@ -196,7 +200,8 @@ bool satisfies_law(const ExactContacts& contacts, std::span<const Rational> r, s
 }
 
 MotionCandidate find_motion(const ExactContacts& exact, const FloatingContacts& contacts, const ContactPattern& mode,
-                        const ProposedPoint& start, const std::function<bool(std::span<const double> u)>& is_known) {
+                            const ProposedPoint& start,
+                            const std::function<bool(std::span<const double> u)>& is_known) {
   MotionFinder finder(exact, contacts, mode, {});
   MotionCandidate found = finder.find(start, is_known);
   if (found.motion || found.is_known) return found;

@@ -100,7 +100,7 @@ std::optional<std::vector<double>> PatternProgram::least_duals(std::span<const d
   return y;
 }
 
-/// Multipliers of a form with a precision; without one on their face.
+/// Multipliers of a form with a precision, without one on their face, and the form's value at the program's point.
 std::vector<Rational> PatternProgram::proposed(const ContactForm& form, const Precision* precision, double& value) {
   const DenseForm dense(form, contacts_.size());
   const double margin = precision != nullptr ? precision->margin : 0;
@@ -109,7 +109,7 @@ std::vector<Rational> PatternProgram::proposed(const ContactForm& form, const Pr
   if (!y && precision != nullptr) y = least_duals(dense.f, dense.h, margin, exactly, most_slack);
   if (!y) return {};
   for (double& x : *y) x *= dense.size;
-  value = value_of(*y);
+  value = value_at(form, point());
   return precision != nullptr ? rounded(*y, form, precision->places, margin * dense.size) : on_face(*y, form);
 }
 
@@ -121,7 +121,7 @@ std::vector<Rational> PatternProgram::prove_least(const ContactForm& form, const
     std::vector<Rational> y = proposed(form, precision, found);
     const auto bound = y.empty() ? std::nullopt : lower_bound(exact_, integers_, pattern_, form, y);
     if (bound && bound->value >= least) return y;
-    if (found < wanted - 1e-4 * (size + std::abs(wanted))) return {};
+    if (found < wanted - 1e-6 * (size + std::abs(wanted))) return {};  // a point of the program where the form is less
   }
   return {};
 }
@@ -134,12 +134,6 @@ std::vector<Rational> PatternProgram::prove_best(const ContactForm& form) {
     if (!y.empty() && lower_bound(exact_, integers_, pattern_, form, y)) return y;
   }
   return {};
-}
-
-double PatternProgram::value_of(std::span<const double> y) const {
-  double value = 0;
-  for (std::size_t i = 0; i < y.size(); ++i) value += y[i] * contacts_.q[i];
-  return value;
 }
 
 /// Of a contact that slips or is open: minus its speed along the middle of the arc, or minus u_N, which is negative.
@@ -158,6 +152,7 @@ ContactForm PatternProgram::reversed(std::size_t k) const {
 double PatternProgram::value_at(const ContactForm& form, const ProposedPoint& point) {
   double value = 0;
   for (const auto& [i, f] : form.u) value += f.to_double() * point.u[i];
+  for (const auto& [i, h] : form.r) value += h.to_double() * point.r[i];
   return value;
 }
 

@@ -10,8 +10,10 @@ namespace {
 
 using Kind = ContactState::Kind;
 
-constexpr std::size_t polygon = 8;  ///< sides around a circle to begin with
-constexpr int most_cuts = 40;       ///< times that a polygon is refined
+constexpr std::size_t polygon = 8;         ///< sides around a circle to begin with
+constexpr std::size_t inner_polygon = 64;  ///< corners within a circle
+constexpr double inner_radius = 1 - 0x1p-14;
+constexpr int most_cuts = 40;  ///< times that a polygon is refined
 
 }  // namespace
 
@@ -25,10 +27,18 @@ FloatingContacts::FloatingContacts(const ExactContacts& contacts) : dimension(co
 }
 
 PatternProgram::PatternProgram(const ExactContacts& exact, const IntegerContacts& integers,
-                               const FloatingContacts& contacts, const ContactPattern& pattern)
-    : exact_(exact), integers_(integers), contacts_(contacts), pattern_(pattern), tangents_(pattern.size()) {
+                               const FloatingContacts& contacts, const ContactPattern& pattern, Cones cones)
+    : exact_(exact),
+      integers_(integers),
+      contacts_(contacts),
+      pattern_(pattern),
+      cones_(cones),
+      tangents_(pattern.size()) {
+  const std::size_t sides = cones == Cones::within ? inner_polygon : polygon;
   for (auto& angles : tangents_) {
-    for (std::size_t i = 0; i < polygon; ++i) angles.push_back(2 * std::numbers::pi * static_cast<double>(i) / polygon);
+    for (std::size_t i = 0; i < sides; ++i) {
+      angles.push_back(2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(sides));
+    }
   }
 }
 
@@ -55,7 +65,7 @@ void PatternProgram::add_cones() {
   }
 }
 
-/// Around the circle of forces: corners where neighbouring tangents meet.
+/// Around the circle of forces: corners where neighbouring tangents meet. Within it: corners at these angles.
 void PatternProgram::add_polygon(std::size_t k) {
   const std::size_t normal = contacts_.normal(k);
   const double mu = contacts_.mu[k];
@@ -66,7 +76,8 @@ void PatternProgram::add_polygon(std::size_t k) {
   const std::vector<double>& angles = tangents_[k];
   for (std::size_t i = 0; i < angles.size(); ++i) {
     const double next = i + 1 < angles.size() ? angles[i + 1] : angles[0] + 2 * std::numbers::pi;
-    const double half = (next - angles[i]) / 2, middle = angles[i] + half, radius = mu / std::cos(half);
+    const double half = (next - angles[i]) / 2, middle = angles[i] + half;
+    const double radius = mu * (cones_ == Cones::within ? inner_radius : 1 / std::cos(half));
     edges_.push_back({normal, true, {1, radius * std::cos(middle), radius * std::sin(middle)}});
   }
 }

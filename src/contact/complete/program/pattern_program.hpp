@@ -34,8 +34,13 @@ bool allows_any_velocity(const ContactPattern& pattern, std::size_t dimension, s
 /// cones. Not for more than one thread at a time.
 class PatternProgram {
  public:
+  enum class Cones : std::uint8_t {
+    around,  ///< polygons have all forces of the cones
+    within   ///< and none but these: for a point inside of the cones, not for proofs
+  };
+
   PatternProgram(const ExactContacts& exact, const IntegerContacts& integers, const FloatingContacts& contacts,
-                 const ContactPattern& pattern);
+                 const ContactPattern& pattern, Cones cones = Cones::around);
   PatternProgram(const PatternProgram&) = delete;
   PatternProgram& operator=(const PatternProgram&) = delete;
 
@@ -94,7 +99,6 @@ class PatternProgram {
   std::optional<std::vector<double>> least_duals(std::span<const double> f, std::span<const double> h, double kept,
                                                  bool exactly = false, double slack = 0);
   std::vector<Rational> proposed(const ContactForm& form, const Precision* precision, double& value);
-  double value_of(std::span<const double> y) const;
   std::optional<double> least_slope(bool forces, std::size_t row, double middle, double side);
   ContactForm reversed(std::size_t contact) const;
   static double value_at(const ContactForm& form, const ProposedPoint& point);
@@ -108,6 +112,7 @@ class PatternProgram {
   const IntegerContacts& integers_;
   const FloatingContacts& contacts_;
   const ContactPattern& pattern_;
+  const Cones cones_;
   std::vector<std::vector<double>> tangents_;  ///< angles of the polygon around each contact's circle
   std::vector<Edge> edges_;
   std::vector<Rational> proved_;
