@@ -123,7 +123,8 @@ class SolutionSearch {
       find_from(node.pattern, program.middle(), visit);
     }
     visit.programs = program.solved();
-    if (decided && visit.candidates.empty() && widest_arc(node.pattern) == 0) find_inside(node.pattern, visit);
+    const bool nothing = visit.candidates.empty() && !visit.has_known;
+    if (decided && nothing && widest_arc(node.pattern) < 0x1p-10) find_inside(node.pattern, visit);
   }
 
   /// A motion whose forces are inside of the cones, though they nearly touch these.

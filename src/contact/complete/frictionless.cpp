@@ -96,17 +96,13 @@ std::optional<SpatialMotion> motion_without_friction(const ExactContacts& contac
   if (slides_with_friction(contacts, u)) return std::nullopt;
   auto r = NormalForces(contacts, u).most_even();
   if (!r) return std::nullopt;
-  SpatialMotion motion;
-  motion.mode.resize(contacts.contacts());
-  for (std::size_t k = 0; k < motion.mode.size(); ++k) {
+  ContactPattern mode(contacts.contacts());
+  for (std::size_t k = 0; k < mode.size(); ++k) {
     const bool is_open = u[contacts.normal(k)].sign() > 0;
-    motion.mode[k].kind = is_open ? Kind::open : contacts.has_friction(k) ? Kind::stick : Kind::closed;
+    mode[k].kind = is_open ? Kind::open : contacts.has_friction(k) ? Kind::stick : Kind::closed;
   }
-  motion.r = std::move(*r);
-  motion.u = velocities(contacts, motion.r);
-  if (!satisfies_law(contacts, motion.r, motion.u)) return std::nullopt;
-  motion.r_radius.resize(contacts.size()), motion.u_radius.resize(contacts.size());
-  motion.open_directions = open_directions(contacts, motion.mode);
+  auto motion = exact_motion(contacts, mode, std::move(*r));
+  if (motion) motion->open_directions = open_directions(contacts, mode);
   return motion;
 }
 

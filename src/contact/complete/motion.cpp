@@ -14,6 +14,20 @@ namespace {
 
 using Kind = ContactState::Kind;
 
+Rational dot(std::span<const Rational> a, std::span<const Rational> b) {
+  Rational sum;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (!a[i].is_zero()) sum += a[i] * b[i];
+  }
+  return sum;
+}
+
+std::vector<Rational> product(const RationalMatrix& W, std::span<const Rational> r) {
+  std::vector<Rational> result;
+  for (const auto& row : W) result.push_back(dot(r, row));
+  return result;
+}
+
 class MotionFinder {
  public:
   MotionFinder(const ExactContacts& exact, const FloatingContacts& contacts, const ContactPattern& mode,
@@ -30,7 +44,8 @@ class MotionFinder {
     if (!newton(z) || !plausible(z)) return {};
     u_ = velocities_at(z);
     if (is_known(u_)) return {true, std::nullopt};
-    return {false, motion_in_box(exact_, mode_, touching_, z, derivative_)};
+    auto motion = motion_in_box(exact_, mode_, touching_, z, derivative_);
+    return {false, motion ? std::move(motion) : find_along_short_directions(z)};
   }
 
   /// After find(), which found no motion: the open contacts whose u_N is 0 up to rounding at the zero; empty if there
@@ -141,6 +156,57 @@ class MotionFinder {
     return motion;
   }
 
+  /// At a border of a mode no box is inside of its conditions. If the slips have short directions, forces along these
+  /// satisfy linear equations, and the motion is found exactly.
+  std::optional<SpatialMotion> find_along_short_directions(const std::vector<double>& z) const {
+    std::vector<std::vector<Rational>> columns, rows;  // forces, and what velocities are 0 along
+    std::vector<double> near;
+    const auto add = [&](std::vector<std::vector<Rational>>& list, std::size_t k, std::vector<Rational> part) {
+      std::vector<Rational>& own = list.emplace_back(exact_.size());
+      std::ranges::move(part, own.begin() + static_cast<std::ptrdiff_t>(exact_.normal(k)));
+    };
+    for (std::size_t k = 0; k < mode_.size(); ++k) {
+      if (mode_[k].kind == Kind::open) continue;
+      const std::size_t first = unknowns_.first[k];
+      if (!unknowns_.slips_in_space(k)) {
+        for (std::size_t t = 0; t < unknowns_.forces(k); ++t) {
+          std::vector<Rational> part(exact_.dimension);
+          part[t] = 1;
+          add(columns, k, part), add(rows, k, part);
+          near.push_back(z[first + t]);
+        }
+        continue;
+      }
+      const auto d = Direction::short_at(std::atan2(-z[first + 2], -z[first + 1]));
+      if (!d) return std::nullopt;
+      const Rational x(d->x, d->length), y(d->y, d->length);
+      add(columns, k, {1, -exact_.mu[k] * x, -exact_.mu[k] * y});
+      add(rows, k, {1, 0, 0}), add(rows, k, {0, -y, x});
+      near.push_back(z[first]);
+    }
+    return with_forces(columns, rows, near);
+  }
+
+  /// Forces in these columns with W r + q = 0 along these rows.
+  std::optional<SpatialMotion> with_forces(const RationalMatrix& columns, const RationalMatrix& rows,
+                                           std::span<const double> near) const {
+    RationalMatrix along, system(rows.size());
+    for (const std::vector<Rational>& column : columns) along.push_back(product(exact_.W, column));
+    for (std::size_t e = 0; e < rows.size(); ++e) {
+      for (const std::vector<Rational>& u : along) system[e].push_back(dot(rows[e], u));
+      system[e].push_back(-dot(rows[e], exact_.q));
+    }
+    const auto solution = solve_near(system, near, 20);
+    if (!solution) return std::nullopt;
+    std::vector<Rational> r(exact_.size());
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      for (std::size_t i = 0; i < r.size(); ++i) r[i] += columns[c][i] * solution->x[c];
+    }
+    auto motion = exact_motion(exact_, mode_, std::move(r));
+    if (motion) motion->open_directions = solution->open_directions;
+    return motion;
+  }
+
   const ExactContacts& exact_;
   const FloatingContacts& contacts_;
   const ContactPattern& mode_;
@@ -171,13 +237,20 @@ bool SpatialMotion::differs(const SpatialMotion& other) const {
 }
 
 std::vector<Rational> velocities(const ExactContacts& contacts, std::span<const Rational> r) {
-  std::vector<Rational> u = contacts.q;
-  for (std::size_t i = 0; i < u.size(); ++i) {
-    for (std::size_t j = 0; j < r.size(); ++j) {
-      if (!r[j].is_zero()) u[i] += contacts.W[i][j] * r[j];
-    }
-  }
+  std::vector<Rational> u = product(contacts.W, r);
+  for (std::size_t i = 0; i < u.size(); ++i) u[i] += contacts.q[i];
   return u;
+}
+
+std::optional<SpatialMotion> exact_motion(const ExactContacts& contacts, const ContactPattern& mode,
+                                          std::vector<Rational> r) {
+  SpatialMotion motion;
+  motion.mode = mode;
+  motion.u = velocities(contacts, r);
+  if (!satisfies_law(contacts, r, motion.u)) return std::nullopt;
+  motion.r = std::move(r);
+  motion.r_radius.resize(contacts.size()), motion.u_radius.resize(contacts.size());
+  return motion;
 }
 
 bool satisfies_law(const ExactContacts& contacts, std::span<const Rational> r, std::span<const Rational> u) {

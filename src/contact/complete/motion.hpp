@@ -61,6 +61,10 @@ struct SpatialMotion {
   bool differs(const SpatialMotion& other) const;
 };
 
+/// With these forces, if they satisfy the law.
+std::optional<SpatialMotion> exact_motion(const ExactContacts& contacts, const ContactPattern& mode,
+                                          std::vector<Rational> r);
+
 /// Whether r with u = W r + q satisfies Coulomb's law exactly.
 bool satisfies_law(const ExactContacts& contacts, std::span<const Rational> r, std::span<const Rational> u);
 std::vector<Rational> velocities(const ExactContacts& contacts, std::span<const Rational> r);
@@ -73,6 +77,6 @@ struct MotionCandidate {
 /// The motion that Newton's method finds from a point, in the mode of a pattern in which nothing is left to decide but
 /// directions. `is_known` says of velocities, up to rounding, whether they are those of a motion that is known.
 MotionCandidate find_motion(const ExactContacts& exact, const FloatingContacts& contacts, const ContactPattern& mode,
-                        const ProposedPoint& start, const std::function<bool(std::span<const double> u)>& is_known);
+                            const ProposedPoint& start, const std::function<bool(std::span<const double> u)>& is_known);
 
 }  // namespace slipproof

@@ -6,17 +6,39 @@
 
 namespace slipproof {
 
-Direction Direction::near(double angle, int bits) {
-  const double quarter = std::numbers::pi / 2;
-  const double turns = std::nearbyint(angle / quarter);
-  const auto half_tangent =
-      static_cast<long>(std::nearbyint(std::ldexp(std::tan((angle - turns * quarter) / 2), bits)));
-  const Integer t = half_tangent, one = Integer(1) << static_cast<std::size_t>(bits);
-  const Integer common = gcd(t, one), p = t / common, h = one / common;
-  Direction d{h * h - p * p, 2 * p * h, h * h + p * p};
+namespace {
+
+constexpr double quarter = std::numbers::pi / 2;
+
+/// Of the rest of an angle after quarter turns.
+double half_tangent(double angle, double turns) {
+  return std::tan((angle - turns * quarter) / 2);
+}
+
+/// So many quarter turns from the direction whose half angle has the tangent p / q.
+Direction turned(const Integer& p, const Integer& q, double turns) {
+  Direction d{q * q - p * p, 2 * p * q, q * q + p * p};
   if (!d.x.is_odd() && !d.y.is_odd() && !d.length.is_odd()) d = {d.x / 2, d.y / 2, d.length / 2};
   for (long turn = std::lround(turns) & 3; turn > 0; --turn) d = {-d.y, d.x, d.length};
   return d;
+}
+
+}  // namespace
+
+Direction Direction::near(double angle, int bits) {
+  const double turns = std::nearbyint(angle / quarter);
+  const auto p = static_cast<long>(std::nearbyint(std::ldexp(half_tangent(angle, turns), bits)));
+  const Integer q = Integer(1) << static_cast<std::size_t>(bits), common = gcd(Integer(p), q);
+  return turned(Integer(p) / common, q / common, turns);
+}
+
+std::optional<Direction> Direction::short_at(double angle) {
+  const double turns = std::nearbyint(angle / quarter), t = half_tangent(angle, turns);
+  for (long q = 1; q <= 1000; ++q) {
+    const double p = std::nearbyint(t * static_cast<double>(q));
+    if (std::abs(t - p / static_cast<double>(q)) < 1e-10) return turned(static_cast<long>(p), q, turns);
+  }
+  return std::nullopt;
 }
 
 double Direction::angle() const {

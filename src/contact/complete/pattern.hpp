@@ -18,6 +18,8 @@ struct Direction {
 
   /// One with short numbers within about 2^-bits of an angle in radians, measured from the first tangent.
   static Direction near(double angle, int bits);
+  /// One with numbers so short that it can hardly be within 1e-10 of an angle by chance; nothing if there is none.
+  static std::optional<Direction> short_at(double angle);
   double angle() const;
   bool operator==(const Direction&) const = default;
 };
