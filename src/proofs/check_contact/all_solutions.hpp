@@ -203,10 +203,8 @@ class AllSolutions {
     return {sum, strict};
   }
 
-  Vector read_multipliers() { return reader_.numbers(problem_.size()); }
-
   void read_empty() {
-    const Vector y = read_multipliers();
+    const Vector y = reader_.numbers(problem_.size());
     judge([&] {
       const auto [sum, strict] = proved({}, y);
       require(sum.sign() > 0 || (sum.sign() == 0 && strict),
@@ -216,7 +214,7 @@ class AllSolutions {
 
   template <class Claim>
   void read_bound(const Claim& claim) {
-    const Vector y = read_multipliers();
+    const Vector y = reader_.numbers(problem_.size());
     judge([&] {
       const Bound bound = claim();
       require(proved(bound, y).first >= bound.least, "y . q is less than the bound");
@@ -273,8 +271,7 @@ class AllSolutions {
     const ListedMotion& motion = motions_[reader_.index(motions_.size())];
     judge([&] { motion.check_frictionless(problem_); });
     Matrix rest = problem_.A;
-    const std::size_t count = reader_.count();
-    for (std::size_t s = 0; s < count; ++s) {
+    for (std::size_t s = 0, count = reader_.count(); s < count; ++s) {
       const Number d = reader_.number();
       Row l;
       for (std::size_t i = 0; i < problem_.size(); ++i) l.emplace(i, reader_.number());

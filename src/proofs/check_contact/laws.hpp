@@ -22,7 +22,7 @@ class Contact {
     must(u(0).sign() >= 0, "u_N is negative");
     must(r(0).sign() >= 0, "r_N is negative");
     const Kind kind = problem_.law.kind;
-    if (kind == Kind::associated) return associated();
+    if (kind == Kind::associated) return must(gap().sign() == 0, "r . u is not 0");
     must((r(0) * u(0)).sign() == 0, "neither u_N nor r_N is 0");
     const Number limit = problem_.mu[k_] * r(0);
     if (kind == Kind::coulomb) return coulomb(square(limit));
@@ -60,8 +60,7 @@ class Contact {
   void must(bool condition, const char* otherwise) const { require(condition, "contact", k_, otherwise); }
 
   void parallel() const {
-    if (problem_.dimension < 3) return;
-    must((r(1) * u(2) - r(2) * u(1)).sign() == 0, "friction is not parallel to the sliding");
+    must(problem_.dimension < 3 || (r(1) * u(2) - r(2) * u(1)).sign() == 0, "friction is not parallel to the sliding");
   }
 
   /// |u_T| r_T = -limit u_T says: if u_T is not 0, r_T is antiparallel to it, and |r_T| is the limit.
@@ -72,8 +71,6 @@ class Contact {
     must(product.sign() <= 0, "friction drives the sliding");
     parallel();
   }
-
-  void associated() const { must(gap().sign() == 0, "r . u is not 0"); }
 
   /// Friction of one direction, for itself.
   void bounded(std::size_t i, const Number& limit) const {
@@ -97,8 +94,7 @@ class Contact {
     const Number speed = square(problem_.law.slip_speed), squares = square(limit) * motion;
     must(product.sign() <= 0, "friction drives the sliding");
     parallel();
-    Number divisor = speed + motion;
-    if (problem_.law.is(Law::Kind::linear)) divisor = std::max(speed, motion);
+    const Number divisor = problem_.law.is(Law::Kind::linear) ? std::max(speed, motion) : speed + motion;
     must(force * divisor == squares, "the force is not that of its velocity");
   }
 
