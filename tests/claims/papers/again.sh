@@ -1,6 +1,6 @@
 #!/bin/sh
-# again.sh PROGRAM PROOFS SCRATCH NUMBER: a tenth of the shipped certificates, chosen by NUMBER, are found again, byte for
-# byte, from their statements. Without NUMBER the commit chooses, so that each landing tries another tenth.
+# again.sh PROGRAM PROOFS SCRATCH NUMBER: a thirtieth of the shipped certificates, chosen by NUMBER, are found again, byte for
+# byte, from their statements. Without NUMBER the commit chooses, so that each landing tries others. NUMBER `all`: all of them.
 set -eu
 export LC_ALL=C
 program=$1 proofs=$2 scratch=$3
@@ -15,8 +15,9 @@ for file in "$proofs"/*/claims.theorems; do
   chosen=$(awk -v number="$number" -v again="$again" -v shipped="$shipped" '
     BEGIN { for (i = 0; i < 256; ++i) code[sprintf("%c", i)] = i }
     function is_chosen(name,  h, text, i) {
+      if (number == "all") return 1
       h = 7; text = number name; for (i = 1; i <= length(text); ++i) h = (h * 31 + code[substr(text, i, 1)]) % 1000003
-      return h % 10 == 0
+      return h % 30 == 0
     }
     /^slipproof-[a-z]+ [0-9]+$/ {
       part = $1
@@ -35,5 +36,5 @@ for file in "$proofs"/*/claims.theorems; do
   cmp "$shipped" "$again" || exit 1
   found=$((found + chosen))
 done
-[ "$found" -gt 100 ] || { echo "only $found certificates were tried"; exit 1; }
+[ "$found" -gt 30 ] || { echo "only $found certificates were tried"; exit 1; }
 echo "$found certificates found again, chosen by $number"

@@ -36,7 +36,7 @@ std::vector<std::filesystem::path> folders() {
 TEST_CASE("every claim of every paper has the verdict that its file expects, and a page") {
   const TemporaryFolder folder;
   const auto outcome =
-      run({"verify", papers, "--json", "--samples", "200", "--lines", "2", "--report", folder.path() / "pages"});
+      run({"verify", papers, "--json", "--samples", "200", "--lines", "1", "--report", folder.path() / "pages"});
   CHECK(outcome.exit_code == 0);
   const Json document = Json::parse(outcome.out);
   CHECK(document["schema"] == "slipproof/papers/1");
@@ -93,7 +93,7 @@ TEST_CASE("mutants of the papers do not survive") {
     if (folder.filename() == "rest-on-slope") continue;     // conditions with room to spare: its README
     CAPTURE(folder.string());
     const auto outcome = run({"verify", folder / "claims.toml", "--mutants", "--samples", "200", "--every",
-                              every == nullptr ? "1200" : every, "--quiet"});
+                              every == nullptr ? "2400" : every, "--quiet"});
     CHECK(outcome.exit_code == 0);
     CHECK(outcome.out.starts_with("s TIGHT mutants "));
   }

@@ -114,7 +114,7 @@ bool noticed(const ClaimsFile& file, std::uint64_t samples, std::uint64_t lines)
 }  // namespace
 
 TEST_CASE("planted errors: in thin windows of a parameter or ratio, and on surfaces that no file lists") {
-  const int count = test::how_many("SLIPPROOF_PLANTED", test::quick(4, 1));
+  const int count = test::how_many("SLIPPROOF_PLANTED", test::quick(2, 1));
   const bool asked = std::getenv("SLIPPROOF_PLANTED") != nullptr;
   const std::uint64_t samples = test::how_many("SLIPPROOF_PLANTED_SAMPLES", asked ? VerifyOptions().samples : 300);
   const std::array<Kind, 4> kinds{{{"1 %", Rational(1, 100)},

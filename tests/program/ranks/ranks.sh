@@ -29,10 +29,10 @@ for i in 1 2 3 4 5; do
 done
 declare -A commands=(
   [certify]="certify records.csv --scene $sources/cases/ambiguous.toml"
-  [verify]="verify $sources/proofs/wheelie-and-stoppie/claims.toml --samples 100"
+  [verify]="verify $sources/proofs/tips-or-slips/claims.toml --samples 100"
   [search]="search ladder --samples 1000"
   [prove]="prove statements"
-  [trade]="trade --scenes 20 --seconds 0 --json") # the same but for its speeds
+  [trade]="trade --scenes 5 --seconds 0 --json") # the same but for its speeds
 
 # ranks NUMBER COMMAND: rank 0 in the foreground, with the checkpoint of that name; writes what it says to `found`
 ranks() {

@@ -221,7 +221,7 @@ Known solutions_of(const Bodies& b) {
 }  // namespace
 
 TEST_CASE("one problem and answer have one verdict in every notation and in all units") {
-  const std::size_t problems = test::how_many<std::size_t>("SLIPPROOF_NOTATIONS", test::quick(300, 40));
+  const std::size_t problems = test::how_many<std::size_t>("SLIPPROOF_NOTATIONS", test::quick(150, 40));
   std::map<std::string, int> seen;
   for (std::size_t i = 0; i < problems; ++i) {
     CAPTURE(i);
