@@ -169,6 +169,25 @@ FoundSolution solution_of(const CompleteSolutions& found, std::size_t m) {
   return solution;
 }
 
+/// The largest |u_i| in patterns that stay open, in the units of the problem; nothing where it is not bounded.
+std::optional<double> open_speed(const CompleteSolutions& found) {
+  constexpr std::size_t most_looked_at = 50;  // else of all patterns together
+  const SearchProblem problem(found.scaled.contacts);
+  const bool together = found.undecided() > most_looked_at;
+  Rational largest;
+  for (const PatternNode& node : found.nodes) {
+    if (together ? &node != found.nodes.data() : node.end != PatternNode::End::undecided) continue;
+    std::size_t programs = 0;
+    const auto bounded = bound_velocities(problem, node.pattern, nullptr, programs);
+    if (!bounded) return std::nullopt;
+    for (std::size_t i = 0; i < bounded->box.low.size(); ++i) {
+      const Rational most = std::max(Rational(abs(bounded->box.low[i])), Rational(abs(bounded->box.high[i])));
+      largest = std::max(largest, Rational(most * found.scaled.velocity_unit[i]));
+    }
+  }
+  return enclose(largest).upper;
+}
+
 }  // namespace
 
 AllSolutions all_solutions_of(const SolutionTree& tree) {
@@ -192,6 +211,7 @@ AllSolutions all_solutions_of(const SolutionTree& tree) {
       result.unexamined.push_back(mode_text(node.pattern, result.dimension));
     }
   }
+  if (!result.complete()) result.open_speed = open_speed(found);
   return result;
 }
 

@@ -34,6 +34,7 @@ struct AllSolutions {
   std::size_t dimension = 1;  ///< components of a contact in r and u
   std::vector<FoundSolution> solutions;
   std::vector<std::string> unexamined;  ///< where others may be
+  std::optional<double> open_speed;     ///< there no component of u is larger, in absolute value
 
   /// Whether it is proved that there is no other.
   bool complete() const { return unexamined.empty(); }

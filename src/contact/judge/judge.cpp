@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/number/binary64.hpp"
+#include "base/number/format.hpp"
 #include "base/parallel/failure.hpp"
 #include "contact/enclosure/sizes.hpp"
 #include "contact/exact/border.hpp"
@@ -46,6 +47,17 @@ std::optional<FrictionLaw> pyramid_that_fits(const MixedProblem& problem, std::s
 bool have_modes(const MixedProblem& problem) {
   using enum FrictionLaw;
   return problem.is_coulomb() || problem.law.kind == associated || problem.law.kind == box;
+}
+
+/// What a search for all solutions leaves that ended before.
+std::string open_patterns_words(const AllSolutions& some) {
+  std::string first = some.unexamined.front();
+  if (first.size() > 60) first = first.substr(0, 60) + "...";
+  std::string text =
+      fmt::format("found {}, and {} stay{} open, the first {}", some.solutions.size(),
+                  counted(some.unexamined.size(), "pattern"), some.unexamined.size() == 1 ? "s" : "", first);
+  if (some.open_speed) text += fmt::format("; there no velocity is above {}", at_most(*some.open_speed));
+  return text;
 }
 
 /// An answer that is to be judged, and what is known of it so far.
@@ -113,10 +125,8 @@ class ContactCase {
       }
       AllSolutions all = all_solutions_of(*tree);
       if (!all.complete()) {
-        std::string first = all.unexamined.front();
-        if (first.size() > 60) first = first.substr(0, 60) + "...";
-        throw std::runtime_error(fmt::format("found {}, and {} stay open, the first {}", all.solutions.size(),
-                                             all.unexamined.size(), first));
+        j_.some = std::move(all);
+        throw std::runtime_error(open_patterns_words(*j_.some));
       }
       j_.all = std::move(all);
       j_.tree = std::move(tree);
@@ -124,7 +134,8 @@ class ContactCase {
   }
 
   bool certainly_several() const {
-    return j_.other || !j_.other_exact.empty() || (j_.tree && j_.all->several_motions());
+    const bool among_all = j_.tree && j_.all->several_motions(), among_some = j_.some && j_.some->several_motions();
+    return j_.other || !j_.other_exact.empty() || among_all || among_some;
   }
   bool certainly_one() const { return j_.unique_by || (j_.every && j_.every->unique()) || (j_.all && j_.all->one()); }
   /// Whether the known solution is the nearest there is. Of families in space it need not be.

@@ -64,6 +64,7 @@ struct ContactJudgement {
   std::vector<Rational> multipliers;         ///< a proof that there is no solution at all (no_solution.hpp)
   std::vector<std::string> left_out;         ///< stronger results that were not reached, each with the reason
   std::optional<AllSolutions> all;           ///< if all are known, the nearest of each family (small.hpp)
+  std::optional<AllSolutions> some;          ///< if the search for all of them ended before
   std::shared_ptr<const SolutionTree> tree;  ///< the proof that `all` are all, where it was asked for
   std::optional<OwnMode> own;                ///< the same for an answer that is near none of them
 

@@ -180,6 +180,14 @@ Json open_forces_json(const OpenForces& open) {
           {"all", open.all}};
 }
 
+/// What was found of all solutions, and where others may be.
+Json some_json(const AllSolutions& some) {
+  Json result{{"open_patterns", some.unexamined.size()}};
+  if (some.open_speed) result["velocities_below"] = at_most(*some.open_speed);
+  add_solutions(some, result);
+  return result;
+}
+
 /// All solutions of a small problem, and the exact margin by which a wrong answer's mode fails.
 Json all_json(const ContactJudgement& j) {
   Json all{{"solutions", j.all->singles()}, {"continuum", j.all->families() > 0}};
@@ -262,6 +270,7 @@ std::string contact_members(const JudgedProblem& problem, std::size_t answer) {
   if (!j.other_exact.empty()) line["other"] = exact_texts(j.other_exact);
   if (j.unique_by) line["unique_by"] = name(j.unique_by->kind);
   if (j.all) line["all"] = all_json(j);
+  if (j.some) line["some"] = some_json(*j.some);
   if (!j.left_out.empty()) line["left_out"] = j.left_out;
   if (!problem.problem.remarks.empty()) line["remarks"] = problem.problem.remarks;
   return ',' + inner_json_text(line);

@@ -95,3 +95,21 @@ TEST_CASE("a block whose motion depends on how its feet share the weight moves i
   }
   check_claim_of(problem, slips, "at least");
 }
+
+TEST_CASE("a search that ends early tells what it found, how many patterns are open, and how fast they may be") {
+  const std::string file = SLIPPROOF_SOURCE_DIR "/cases/contact-problems/turning-block.json";
+  const MixedProblem problem = mixed_problem(read_problem_file(file).problem);
+  ContactJudgeOptions options;
+  options.all = true;
+  options.effort = 300'000'000;
+  const ContactJudgement early = judge_contacts(problem, std::vector<double>(problem.size()), {}, options);
+  CHECK_FALSE(early.all);
+  REQUIRE(early.some);
+  CHECK_FALSE(early.some->complete());
+  CHECK(early.some->open_speed.value_or(0) > 0);
+  const bool told = std::ranges::any_of(early.left_out, [](const std::string& words) {
+    return words.find("patterns stay open") != std::string::npos &&
+           words.find("no velocity is above") != std::string::npos;
+  });
+  CHECK(told);
+}
