@@ -177,6 +177,8 @@ std::optional<double> open_speed(const CompleteSolutions& found) {
   Rational largest;
   for (const PatternNode& node : found.nodes) {
     if (together ? &node != found.nodes.data() : node.end != PatternNode::End::undecided) continue;
+    PatternProgram program(problem.exact, problem.integers, problem.floating, node.pattern);
+    if (!program.feasibility().y.empty()) continue;  // it was not looked at, and is empty
     std::size_t programs = 0;
     const auto bounded = bound_velocities(problem, node.pattern, nullptr, programs);
     if (!bounded) return std::nullopt;
