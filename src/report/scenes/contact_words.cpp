@@ -96,7 +96,9 @@ std::string solutions_words(const AllSolutions& all, const ContactUnits& units) 
   for (std::size_t i = 0; i < std::min(shown, all.solutions.size()); ++i) {
     const FoundSolution& solution = all.solutions[i];
     text += (i == 0 ? ": " : ", ") + modes_words(solution);
-    if (solution.is_family()) text += fmt::format(" along {}", counted(solution.open_directions, "direction"));
+    if (!solution.is_family()) continue;
+    text += fmt::format(" along {}", counted(solution.open_directions, "direction"));
+    if (all.dimension == 3 && solution.others.empty() && solution.around.empty()) text += ", all with one motion";
   }
   if (all.solutions.size() > shown) text += fmt::format(" and {} more", all.solutions.size() - shown);
   text = "The problem has " + text + '.';
@@ -198,7 +200,7 @@ std::vector<std::string> further_words(const ContactJudgement& j, const ContactU
   if (j.unique_by) {
     sentences.push_back(fmt::format("There is one solution for every constant, too ({}).", name(j.unique_by->kind)));
   }
-  if (j.linear_modes && !j.linear_modes->tried && is_certified(j.verdict)) {
+  if (j.linear_modes && !j.linear_modes->tried && is_certified(j.verdict) && !j.all) {
     sentences.emplace_back(
         "No other solution was looked for among modes without sliding: there are too many for the effort.");
   }

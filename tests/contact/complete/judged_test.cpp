@@ -113,3 +113,14 @@ TEST_CASE("a search that ends early tells what it found, how many patterns are o
   });
   CHECK(told);
 }
+
+TEST_CASE("three cubes on each other have one motion, and the checker takes the squares of their W") {
+  const std::string file = SLIPPROOF_SOURCE_DIR "/cases/contact-problems/three-cubes.json";
+  const MixedProblem problem = mixed_problem(read_problem_file(file).problem);
+  const ContactJudgement rest = judged_among_all(problem, approximate_solution(problem, {}));
+  REQUIRE(rest.all);
+  REQUIRE(rest.all->solutions.size() == 1);
+  CHECK(rest.all->solutions[0].open_directions == 18);
+  CHECK(rest.all->solutions[0].others.empty());
+  check_claim_of(problem, rest, "one motion and no other");
+}
