@@ -185,10 +185,9 @@ bool VelocityBox::contains(const VelocityBox& other) const {
   return true;
 }
 
-bool VelocityBox::is_near(std::span<const double> u) const {
-  constexpr double rounding = 1e-11;
+bool VelocityBox::is_near(std::span<const double> u, double distance) const {
   for (std::size_t i = 0; i < low.size(); ++i) {
-    if (u[i] < low[i].to_double() - rounding || u[i] > high[i].to_double() + rounding) return false;
+    if (u[i] < low[i].to_double() - distance || u[i] > high[i].to_double() + distance) return false;
   }
   return true;
 }

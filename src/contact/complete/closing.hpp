@@ -28,8 +28,8 @@ struct VelocityBox {
   static VelocityBox of(const SpatialMotion& motion);
   void add(const VelocityBox& other);
   bool contains(const VelocityBox& other) const;
-  /// Whether it has velocities that are these up to rounding.
-  bool is_near(std::span<const double> u) const;
+  /// Whether it has velocities within so much of these, up to rounding.
+  bool is_near(std::span<const double> u, double distance) const;
   bool overlaps(const VelocityBox& other) const;
   VelocityBox widened(const Rational& distance) const;
 };

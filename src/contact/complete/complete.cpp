@@ -53,7 +53,7 @@ class SolutionSearch {
 
   /// What has been done, and what a generation would add, if its nodes are like those before.
   Work work_with(std::size_t nodes) const {
-    const Work n = exact_.size(), program = 50'000 + 500 * n * n;  // in nanoseconds, about
+    const Work n = exact_.size(), program = 25'000 + 120 * n * n;  // in nanoseconds, about
     const std::size_t looked_at = found_.nodes.size() - nodes;
     const Work each = looked_at == 0 ? 1 : 1 + found_.programs / looked_at;
     return times(program, found_.programs + nodes * each);
@@ -146,7 +146,7 @@ class SolutionSearch {
   void find_from(const ContactPattern& pattern, const ProposedPoint& start, Visit& visit) const {
     const auto mode = mode_of(pattern, start);
     if (!mode) return;
-    const auto is_known = [this](std::span<const double> u) { return list_.is_known(u); };
+    const auto is_known = [&](std::span<const double> u) { return list_.is_known(*mode, u); };
     MotionCandidate found = find_motion(exact_, problem_.floating, *mode, start, is_known);
     visit.has_known = visit.has_known || found.is_known;
     if (found.motion) visit.candidates.push_back(std::move(*found.motion));

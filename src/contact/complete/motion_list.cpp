@@ -10,8 +10,8 @@ namespace {
 
 using End = PatternNode::End;
 
-bool have_one_mode(const SpatialMotion& a, const SpatialMotion& b) {
-  return std::ranges::equal(a.mode, b.mode, {}, &ContactState::kind, &ContactState::kind);
+bool have_one_mode(const ContactPattern& a, const ContactPattern& b) {
+  return std::ranges::equal(a, b, {}, &ContactState::kind, &ContactState::kind);
 }
 
 }  // namespace
@@ -23,7 +23,7 @@ void MotionList::add(SpatialMotion&& motion) {
     if (motion.pinned.empty() || found_.motions[m].pinned.empty()) continue;
     if (places_[m].contains(VelocityBox::of(motion))) return;
     const bool near = places_[m].widened(power_of_two(-continuum_bits)).contains(VelocityBox::of(motion));
-    same += near && have_one_mode(found_.motions[m], motion) ? 1 : 0;
+    same += near && have_one_mode(found_.motions[m].mode, motion.mode) ? 1 : 0;
   }
   if (same > 1) return;
   places_.push_back(VelocityBox::of(motion));
@@ -35,15 +35,23 @@ void MotionList::keep_only(SpatialMotion&& motion) {
   found_.motions = {std::move(motion)};
 }
 
-bool MotionList::is_known(std::span<const double> u) const {
-  return std::ranges::any_of(places_, [&](const VelocityBox& place) { return place.is_near(u); });
+bool MotionList::is_known(const ContactPattern& mode, std::span<const double> u) const {
+  constexpr double rounding = 1e-11;
+  std::size_t same = 0;
+  for (std::size_t m = 0; m < places_.size(); ++m) {
+    if (places_[m].is_near(u, rounding)) return true;
+    const SpatialMotion& motion = found_.motions[m];
+    const bool counts = !motion.pinned.empty() && have_one_mode(motion.mode, mode);
+    same += counts && places_[m].is_near(u, 1.0 / (1 << continuum_bits)) ? 1 : 0;
+  }
+  return same > 1;
 }
 
 bool MotionList::is_in_continuum(std::size_t m) const {
   const VelocityBox near = places_[m].widened(2 * power_of_two(-continuum_bits));
   for (std::size_t o = 0; o < found_.motions.size(); ++o) {
     const SpatialMotion& other = found_.motions[o];
-    const bool same = o != m && have_one_mode(other, found_.motions[m]);
+    const bool same = o != m && have_one_mode(other.mode, found_.motions[m].mode);
     if (same && other.open_directions > 0 && near.contains(VelocityBox::of(other))) return true;
   }
   return false;

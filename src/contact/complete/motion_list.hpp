@@ -19,8 +19,9 @@ class MotionList {
   void add(SpatialMotion&& motion);
   /// Forgets all others.
   void keep_only(SpatialMotion&& motion);
-  /// Whether these are velocities of a motion that counts as one of the list, up to rounding.
-  bool is_known(std::span<const double> u) const;
+  /// Whether the list needs no motion of this mode with these velocities, up to rounding: it is one of the list, or the
+  /// third of its mode in a continuum.
+  bool is_known(const ContactPattern& mode, std::span<const double> u) const;
   const VelocityBox& place(std::size_t motion) const { return places_[motion]; }
   /// Lets all motions with these velocities count as this one.
   void count_as(std::size_t motion, const VelocityBox& others) { places_[motion].add(others); }
