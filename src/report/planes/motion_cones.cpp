@@ -11,16 +11,18 @@ namespace slipproof {
 
 namespace {
 
-double middle_of(const Range& range) {
-  return range.lower && range.upper ? Rational((*range.lower + *range.upper) / 2).to_double() : 0;
-}
-
 bool is_positive(const Range& range) {
   return range.lower && range.lower->sign() > 0;
 }
 
 bool is_not_zero(const Range& range) {
   return is_positive(range) || (range.upper && range.upper->sign() < 0);
+}
+
+/// 0 where the range holds 0: nobody reads 1e-27.
+double middle_of(const Range& range) {
+  if (!range.lower || !range.upper || !is_not_zero(range)) return 0;
+  return Rational((*range.lower + *range.upper) / 2).to_double();
 }
 
 ContactMotion contact_motion(const FoundSolution& solution, std::size_t contact, double mu) {

@@ -14,7 +14,7 @@
 
 namespace slipproof {
 
-/// What a contact does in a motion. The place of a range is its middle.
+/// What a contact does in a motion. The place of a range is its middle, or 0 where it holds 0.
 struct ContactMotion {
   double normal = 0;                           ///< r_N
   bool lifts = false;                          ///< without a force, u_N > 0

@@ -12,7 +12,7 @@ namespace {
 // The picture is drawn in its own size, so that its words are as large as those around it. Twelve contacts fit the
 // page.
 constexpr double head_width = 132, head_height = 26, page_width = 984, line_height = 16;
-constexpr std::size_t line_letters = 16;
+constexpr std::size_t line_letters = 17;
 
 /// The words in front of a row, one line each: its number and mode, broken between contacts, and what it is beyond.
 std::vector<std::string> head_lines(const MotionRow& row, std::size_t number, std::size_t columns) {
@@ -81,7 +81,7 @@ std::string words_for_motions(const MotionCones& cones) {
 class MotionGrid {
  public:
   explicit MotionGrid(const MotionCones& cones) : cones_(cones) {
-    cell_ = std::clamp((page_width - head_width) / static_cast<double>(cones.columns()), 71.0, 110.0);
+    cell_ = std::clamp((page_width - head_width) / static_cast<double>(cones.columns()), 71.0, 92.0);
     for (std::size_t i = 0; i < cones.rows.size(); ++i) {
       heads_.push_back(head_lines(cones.rows[i], i + 1, cones.columns()));
       notes_.push_back(notes_of(cones.rows[i]));

@@ -156,7 +156,7 @@ TEST_CASE("the page says what the picture shows, as a table, too") {
   CHECK(says(slips, "|29.2"));  // atan(0.63317 / 1.13257)
 }
 
-TEST_CASE("a block whose forces can be shared differently slides in a continuum, one corner lifted") {
+TEST_CASE("a block whose forces can be shared differently slides in a continuum") {
   const auto tree = page_with_all("turning-block.json");
   const auto rows = drawn_rows(tree);
   REQUIRE(rows.size() == 1);
@@ -164,6 +164,7 @@ TEST_CASE("a block whose forces can be shared differently slides in a continuum,
   const auto figure = tree.select_node("//figure[contains(@class, 'motions-figure')]").node();
   CHECK(says(words_in(figure.select_node(".//svg[@class='motion-cones']").node()), "|continuum|"));
   CHECK(says(words_in(figure.child("figcaption")), "A continuum moves in different ways"));
+  CHECK(says(words_in(figure.child("figcaption")), "touches without a force"));
   std::size_t arrows = 0;
   for (const DrawnContact& contact : rows[0]) {
     arrows += contact.arrow_tip.has_value();
@@ -197,6 +198,21 @@ TEST_CASE("contacts without force or friction are rings, with an arrow where the
   CHECK(std::abs(along.arrow_tip->x) < 1e-3);
   CHECK(smooth.arrow_tip->x < -1);
   CHECK((lifts.dashed && !lifts.arrow_tip));  // it does not touch where it would slip
+}
+
+TEST_CASE("what may be 0 is drawn as 0: a slow slip along an axis, a force without a sideways part") {
+  const Rational tiny(1, 1'000'000'000);
+  FoundSolution motion = motion_with("slip/stick", {4, -1, 0, 4, 0, 0}, {0, 3, 0, 0, 0, 0});
+  for (const std::size_t i : {2, 4}) motion.r[i] = {Rational(-tiny), Rational(3 * tiny)};
+  for (const std::size_t i : {2, 4, 5}) motion.u[i] = {Rational(-tiny), Rational(3 * tiny)};
+  const auto cones = cones_of({0.25, 1}, {motion});
+  REQUIRE(cones);
+  const ContactMotion &slips = cones->rows[0].contacts[0], &sticks = cones->rows[0].contacts[1];
+  REQUIRE((slips.force && slips.slip && sticks.force));
+  CHECK((*slips.force)[1] == 0);
+  CHECK(degrees_of(*slips.slip) == 0);
+  CHECK((*sticks.force)[0] == 0);
+  CHECK_FALSE(sticks.slip);
 }
 
 TEST_CASE("twelve motions of twelve contacts are drawn, and how many there are is said") {

@@ -27,7 +27,7 @@ void add_motions_legend(const Element& parent, const MotionCones& cones) {
   entry(ConeSign::stick, "force where the contact sticks", [](const M& m) { return m.force && !m.slip; });
   entry(ConeSign::slide, "force where it slips", [](const M& m) { return m.force && m.slip; });
   entry(ConeSign::motion, "direction in which it slips", [](const M& m) { return m.slip.has_value(); });
-  entry(ConeSign::disc, "friction cone; without a point: no force, or no friction",
+  entry(ConeSign::disc, "friction cone; without a point it touches without a force, or has no friction",
         [](const M& m) { return !m.lifts; });
   entry(ConeSign::lifts, "lifts", [](const M& m) { return m.lifts; });
 }
@@ -42,6 +42,8 @@ std::string left_out_of(const MotionCones& cones) {
     text += " Where forces are open, one choice of them is drawn.";
   if (any([](const MotionRow& row) { return row.nearest; }))
     text += " Nearest: the one whose forces are nearest to those of the answer.";
+  if (any_contact(cones, [](const ContactMotion& m) { return !m.lifts && m.normal == 0; }))
+    text += " The mode may call a contact lift that touches without a force.";
   if (cones.motions > cones.rows.size())
     text += fmt::format(" Of {} motions the first {} are drawn.", cones.motions, cones.rows.size());
   if (cones.contacts > cones.columns())
@@ -54,7 +56,7 @@ void add_motions_table(const Element& parent, const MotionCones& cones, std::siz
   ReportTable& table = hidden.details("The same as a table")
                            .table({{{"solution", true},
                                     {"contact", true},
-                                    "mode",
+                                    "state",
                                     {"r_N", true},
                                     {"r_T1 / (μ r_N)", true},
                                     {"r_T2 / (μ r_N)", true},
@@ -88,9 +90,9 @@ void add_all_motions_figure(const Element& parent, const JudgedProblem& problem,
   add_motions_legend(figure, *cones);
   figure.add("figcaption")
       .text(
-          "Each row is a motion, each disc the friction cone of a contact seen from above: a point shows its "
-          "tangential "
-          "force over μ times its normal force, an arrow the direction in which it slips, opposite to friction." +
+          "Each row is a motion, each disc the friction cone of a contact seen from above, r_T1 to the right and r_T2 "
+          "upwards: a point shows its tangential force over μ times its normal force, an arrow the direction in which "
+          "it slips, opposite to friction." +
           left_out_of(*cones));
   add_motions_table(figure, *cones, answer);
 }
