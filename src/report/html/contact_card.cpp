@@ -8,7 +8,9 @@
 
 #include "base/number/format.hpp"
 #include "report/html/sections.hpp"
+#include "report/html/sections/all_motions_figure.hpp"
 #include "report/html/verdict_bar.hpp"
+#include "report/planes/cone_signs.hpp"
 #include "report/planes/cone_svg.hpp"
 #include "report/scenes/contact_words.hpp"
 
@@ -170,11 +172,7 @@ void add_fit_bar(const Element& parent, const ConeDisc& disc) {
 
 void add_disc_legend(const Element& parent, const ConeDisc& disc) {
   const Element list = parent.add("ul", "legend");
-  const auto entry = [&](ConeSign sign, const std::string& text) {
-    const Element item = list.add("li");
-    add_swatch(item, sign);
-    item.add("span").text(text);
-  };
+  const auto entry = [&](ConeSign sign, const std::string& text) { add_sign_entry(list, sign, text); };
   if (disc.counts.stick > 0) entry(ConeSign::stick, "sticks");
   if (disc.counts.slide > 0) entry(ConeSign::slide, "slides");
   const auto marked = [](const ConePoint& point) { return point.marked; };
@@ -274,6 +272,7 @@ void add_contact_card(const Element& main, const JudgedProblem& problem, std::si
   add_bounds(numbers, j);
   add_fit_bar(numbers.add("div", "bars"), disc);
   add_cone_figure(halves, disc, problem, answer);
+  add_all_motions_figure(section, problem, answer, id);
   add_worst(section, *j.residual, answer);
 }
 

@@ -17,13 +17,6 @@ std::vector<std::size_t> worst_contacts(const Residual& residual) {
   return contacts;
 }
 
-/// r_T / (mu r_N). Divides by mu and r_N one after the other, because their product may underflow. A quotient that
-/// overflows is far outside the disc, and is replaced by a finite number.
-double in_cone(double tangential, double mu, double normal) {
-  constexpr double far = 1e100;
-  return std::clamp(tangential / normal / mu, -far, far);
-}
-
 /// The marked points and at most `most` others, evenly spaced in the list.
 std::vector<ConePoint> thinned(const std::vector<ConePoint>& points, std::size_t most) {
   if (points.size() <= most) return points;
@@ -38,6 +31,11 @@ std::vector<ConePoint> thinned(const std::vector<ConePoint>& points, std::size_t
 }
 
 }  // namespace
+
+double in_cone(double tangential, double mu, double normal) {
+  constexpr double far = 1e100;
+  return std::clamp(tangential / normal / mu, -far, far);
+}
 
 ConeDisc cone_disc(const MixedProblem& problem, const ContactJudgement& judgement, std::size_t most) {
   // The forces of the other laws are in the cone.

@@ -33,6 +33,10 @@ struct ConeDisc {
   std::vector<std::size_t> unplaced;  ///< worst contacts without a place, because they are open or without friction
 };
 
+/// r_T / (mu r_N) of one component. Divides by mu and r_N one after the other, because their product may underflow. A
+/// quotient that overflows is far outside the disc, and is replaced by a finite number.
+double in_cone(double tangential, double mu, double normal);
+
 /// The judgement must have a residual. Its worst contacts are marked and always drawn; of the others at most `most`
 /// are, evenly spaced by number.
 ConeDisc cone_disc(const MixedProblem& problem, const ContactJudgement& judgement, std::size_t most);

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/number/format.hpp"
 #include "report/markup/number.hpp"
 #include "report/markup/symbol.hpp"
 #include "report/picture/labels/label_placer.hpp"
+#include "report/planes/cone_signs.hpp"
 
 namespace slipproof {
 
@@ -37,10 +37,10 @@ class ConePlot {
 
   Point place(const ConePoint& point) const {
     const double size = size_of(point), inwards = size > reach_ ? reach_ / size : 1;
-    const double x = center()[0] + unit() * inwards * point.at[0];
-    if (!flat()) return {x, center()[1] - unit() * inwards * point.at[1]};
+    const Point inside = in_disc(center(), unit() * inwards, point.at);
+    if (!flat()) return inside;
     const double down = (static_cast<double>(point.contact) + 0.5) / static_cast<double>(disc_.contacts);
-    return {x, top() + down * (bottom() - top())};
+    return {inside[0], top() + down * (bottom() - top())};
   }
 
   /// Points are small if there are many.
@@ -67,24 +67,6 @@ void add_axis_name(const Element& text, const char* force) {
   text.add("tspan").text(")");
 }
 
-void add_line(const Element& svg, std::string_view css_class, const std::string& path) {
-  svg.add("path", css_class).set("d", path);
-}
-
-/// Draws the boundary of a law, in units from the centre.
-void add_boundary(const Element& svg, const ConePlot& plot, FrictionLaw law, std::string_view css_class) {
-  const auto [x, y] = plot.center();
-  const double unit = plot.unit();
-  if (law == FrictionLaw::cone) {
-    svg.add("circle", css_class).set("cx", x).set("cy", y).set("r", unit);
-  } else if (law == FrictionLaw::box) {
-    svg.add("rect", css_class).set("x", x - unit).set("y", y - unit).set("width", 2 * unit).set("height", 2 * unit);
-  } else {
-    add_line(svg, css_class,
-             fmt::format("M{0:.2f},{1:.2f}l{2:.2f},{2:.2f}l-{2:.2f},{2:.2f}l-{2:.2f},-{2:.2f}z", x, y - unit, unit));
-  }
-}
-
 void add_ticks(const Element& svg, const ConePlot& plot, double y) {
   for (const int value : {-1, 0, 1}) {
     svg.add("text", "soft halo")
@@ -97,12 +79,10 @@ void add_ticks(const Element& svg, const ConePlot& plot, double y) {
 
 void add_disc_frame(const Element& svg, const ConePlot& plot, const ConeDisc& disc) {
   const auto [x, y] = plot.center();
-  const double length = plot.reach() * plot.unit();
-  add_line(svg, "measure", fmt::format("M{:.2f},{:.2f}h{:.2f}", x - length, y, 2 * length));
-  add_line(svg, "measure", fmt::format("M{:.2f},{:.2f}v{:.2f}", x, y - length, 2 * length));
-  add_boundary(svg, plot, disc.law, "edge");
-  if (disc.law != FrictionLaw::cone) add_boundary(svg, plot, FrictionLaw::cone, "line");
-  if (disc.right_for) add_boundary(svg, plot, *disc.right_for, "line");
+  add_cone_axes(svg, plot.center(), plot.reach() * plot.unit());
+  add_boundary(svg, plot.center(), plot.unit(), disc.law, "edge");
+  if (disc.law != FrictionLaw::cone) add_boundary(svg, plot.center(), plot.unit(), FrictionLaw::cone, "line");
+  if (disc.right_for) add_boundary(svg, plot.center(), plot.unit(), *disc.right_for, "line");
   add_ticks(svg, plot, picture_side - 22);
   add_axis_name(svg.add("text", "ink").set("x", x).set("y", picture_side - 5), "r_T1");
   add_axis_name(svg.add("text", "ink").set("transform", fmt::format("translate(15 {:.2f}) rotate(-90)", y)), "r_T2");
@@ -113,7 +93,7 @@ void add_disc_frame(const Element& svg, const ConePlot& plot, const ConeDisc& di
 void add_band_frame(const Element& svg, const ConePlot& plot, const ConeDisc& disc) {
   const double x = plot.center()[0], height = plot.bottom() - plot.top();
   const auto line = [&](double at, const char* css_class) {
-    add_line(svg, css_class, fmt::format("M{:.2f},{:.2f}v{:.2f}", x + at * plot.unit(), plot.top(), height));
+    add_path(svg, css_class, fmt::format("M{:.2f},{:.2f}v{:.2f}", x + at * plot.unit(), plot.top(), height));
   };
   line(0, "measure");
   line(-1, "edge");
@@ -131,21 +111,12 @@ std::string in_cone_words(const ConeDisc& disc, const ConePoint& point) {
   return fmt::format("contact {} {}, at {}", point.contact + 1, point.slides ? "slides" : "sticks", place);
 }
 
-/// Draws a round point for a contact that sticks, and a triangle around the same place for one that slides.
-Element add_point(const Element& parent, Point at, double radius, bool slides) {
-  if (!slides) return parent.add("circle").set("cx", at[0]).set("cy", at[1]).set("r", radius);
-  const double side = 1.2 * radius;  // so that both have the same visual weight
-  return parent.add("path").set(
-      "d", fmt::format("M{},{}m0,-{}l{},{}h-{}z", short_number(at[0]), short_number(at[1]), short_number(side),
-                       short_number(0.87 * side), short_number(1.5 * side), short_number(1.74 * side)));
-}
-
 void add_points(const Element& svg, const ConePlot& plot, const ConeDisc& disc, bool slides) {
   const Element group = svg.add("g", slides ? "points fit-slide" : "points fit-stick");
   group.set("fill-opacity", disc.points.size() <= named_points ? 0.85 : 0.6);
   for (const ConePoint& point : disc.points) {
     if (point.slides != slides) continue;
-    const Element shape = add_point(group, plot.place(point), plot.radius(point), slides);
+    const Element shape = add_cone_point(group, plot.place(point), plot.radius(point), slides);
     if (disc.points.size() <= named_points) shape.add("title").text(in_cone_words(disc, point));
   }
 }
@@ -171,7 +142,7 @@ void add_marks(const Element& svg, const ConePlot& plot, const ConeDisc& disc) {
     const double x = (box.left + box.right) / 2, y = (box.top + box.bottom) / 2;
     const double away = std::hypot(x - at[0], y - at[1]), edge = ring / away;
     if (away > ring + 20) {
-      add_line(
+      add_path(
           group, "measure",
           fmt::format("M{:.2f},{:.2f}L{:.2f},{:.2f}", at[0] + edge * (x - at[0]), at[1] + edge * (y - at[1]), x, y));
     }
@@ -217,34 +188,6 @@ Element add_cone_disc(const Element& parent, const ConeDisc& disc, const std::st
 
 bool is_beyond(const ConeDisc& disc, const ConePoint& point) {
   return ConePlot(disc).beyond(point);
-}
-
-std::string_view fill_class(ConeSign sign) {
-  constexpr std::array<std::string_view, 4> classes{"fit-open", "fit-stick", "fit-slide", "fit-smooth"};
-  return classes[static_cast<std::size_t>(sign)];
-}
-
-Element add_swatch(const Element& parent, ConeSign sign) {
-  const Element svg = parent.add("svg", "swatch").set("viewBox", "0 0 28 18").set("aria-hidden", "true");
-  switch (sign) {
-    case ConeSign::stick:
-    case ConeSign::slide:
-      add_point(svg.add("g", fill_class(sign)), {14, 9}, 6, sign == ConeSign::slide);
-      break;
-    case ConeSign::open:
-      svg.add("rect", fill_class(sign)).set("x", 6).set("y", 7).set("width", 16).set("height", 4);
-      break;
-    case ConeSign::smooth:
-      svg.add("rect", fill_class(sign)).set("x", 8).set("y", 3).set("width", 12).set("height", 12);
-      break;
-    case ConeSign::marked:
-      svg.add("circle", "new").set("cx", 14).set("cy", 9).set("r", 7);
-      break;
-    default:
-      add_line(svg, sign == ConeSign::law ? "edge" : "line", "M1,9H27");
-      break;
-  }
-  return svg;
 }
 
 }  // namespace slipproof

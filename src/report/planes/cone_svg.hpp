@@ -1,9 +1,7 @@
 // Contacts in their friction cones as SVG.
 #pragma once
 
-#include <cstdint>
 #include <string>
-#include <string_view>
 
 #include "report/markup/element.hpp"
 #include "report/planes/cone_disc.hpp"
@@ -17,13 +15,5 @@ Element add_cone_disc(const Element& parent, const ConeDisc& disc, const std::st
 
 /// Whether a point is drawn at the edge of the picture because its place is farther out.
 bool is_beyond(const ConeDisc& disc, const ConePoint& point);
-
-enum class ConeSign : std::uint8_t { open, stick, slide, smooth, marked, law, pyramid };
-
-/// A sample of a sign of the picture, or of counts, 28 x 18.
-Element add_swatch(const Element& parent, ConeSign sign);
-
-/// `fit-open`, ...: the class of its colour; only for the four cases of the law.
-std::string_view fill_class(ConeSign sign);
 
 }  // namespace slipproof
