@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "contact/complete/equations.hpp"
+#include "contact/complete/motion/equations.hpp"
 
 namespace slipproof {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/parallel/in_parallel.hpp"
-#include "contact/complete/frictionless.hpp"
+#include "contact/complete/motion/frictionless.hpp"
 #include "contact/complete/motion_list.hpp"
 #include "contact/complete/splitting.hpp"
 

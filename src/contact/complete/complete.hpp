@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/number/effort.hpp"
-#include "contact/complete/motion.hpp"
+#include "contact/complete/motion/frictionless.hpp"
 
 namespace slipproof {
 
@@ -33,12 +33,6 @@ struct PatternNode {
 struct CompleteOptions {
   Work effort = 20'000'000'000;  ///< about 20 seconds
   std::size_t most_nodes = 200'000;
-};
-
-/// factor * (form . r)^2
-struct WeightedSquare {
-  Rational factor;
-  std::vector<Rational> form;
 };
 
 /// In the units of `scaled`.

@@ -1,7 +1,7 @@
 // How the tree of patterns branches.
 #pragma once
 
-#include "contact/complete/motion.hpp"
+#include "contact/complete/motion/motion.hpp"
 
 namespace slipproof {
 

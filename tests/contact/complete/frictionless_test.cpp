@@ -1,8 +1,9 @@
 // Motions that need no friction are the only ones where W is symmetric and semidefinite.
-#include "contact/complete/frictionless.hpp"
+#include "contact/complete/motion/frictionless.hpp"
 
 #include <doctest/doctest.h>
 
+#include "contact/complete/complete.hpp"
 #include "contact/complete/random_contacts.hpp"
 
 namespace slipproof {

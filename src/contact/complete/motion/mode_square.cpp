@@ -1,4 +1,4 @@
-#include "contact/complete/mode_square.hpp"
+#include "contact/complete/motion/mode_square.hpp"
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
 
 #include <Eigen/Dense>
 
-#include "contact/complete/motion.hpp"
+#include "contact/complete/motion/motion.hpp"
 
 namespace slipproof {
 

@@ -3,7 +3,7 @@
 
 #include <Eigen/Dense>
 
-#include "contact/complete/equations.hpp"
+#include "contact/complete/motion/equations.hpp"
 
 namespace slipproof {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "contact/complete/motion.hpp"
+#include "contact/complete/motion/motion.hpp"
 
 namespace slipproof {
 

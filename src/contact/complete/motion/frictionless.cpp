@@ -1,4 +1,4 @@
-#include "contact/complete/frictionless.hpp"
+#include "contact/complete/motion/frictionless.hpp"
 
 #include "base/algebra/linear_program.hpp"
 

@@ -1,11 +1,11 @@
-#include "contact/complete/motion.hpp"
+#include "contact/complete/motion/motion.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
-#include "contact/complete/equations.hpp"
-#include "contact/complete/motion_box.hpp"
+#include "contact/complete/motion/equations.hpp"
+#include "contact/complete/motion/motion_box.hpp"
 #include "contact/complete/solve_near.hpp"
 
 namespace slipproof {

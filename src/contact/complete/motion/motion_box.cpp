@@ -1,9 +1,9 @@
-#include "contact/complete/motion_box.hpp"
+#include "contact/complete/motion/motion_box.hpp"
 
 #include <algorithm>
 
 #include "base/number/binary64.hpp"
-#include "contact/complete/mode_square.hpp"
+#include "contact/complete/motion/mode_square.hpp"
 #include "contact/complete/solve_near.hpp"
 
 namespace slipproof {

@@ -7,13 +7,19 @@
 // ground on any number of feet, and how stacks do, where the tree would divide the directions of each foot.
 #pragma once
 
-#include "contact/complete/complete.hpp"
+#include "contact/complete/motion/motion.hpp"
 
 namespace slipproof {
 
 /// The motion with velocities u, by forces without friction: of these forces the one with the greatest least r_N, as
 /// long as that is below 1. Nothing if there is none, or if u_T is not 0 at a contact with friction.
 std::optional<SpatialMotion> motion_without_friction(const ExactContacts& contacts, std::span<const Rational> u);
+
+/// factor * (form . r)^2
+struct WeightedSquare {
+  Rational factor;
+  std::vector<Rational> form;
+};
 
 /// W as a sum of squares with positive factors; nothing unless it is symmetric and semidefinite. Cubic in its size.
 std::optional<std::vector<WeightedSquare>> squares_of(const RationalMatrix& W);
