@@ -32,6 +32,7 @@ class SolutionSearch {
     if (is_without_friction(std::vector<Rational>(exact_.size()))) level.clear();
     while (!level.empty() && found_.nodes.size() < options_.most_nodes && work_with(level.size()) <= options_.effort) {
       const std::size_t known = found_.motions.size();
+      if (options_.progress) options_.progress({found_.nodes.size(), level.size(), known});
       level = next_generation(level);
       for (std::size_t m = known; m < found_.motions.size(); ++m) {
         if (found_.motions[m].is_exact() && is_without_friction(found_.motions[m].u)) level.clear();

@@ -1,6 +1,8 @@
 // All solutions of a contact problem, with the proof that there are no others (MATHEMATICS.md, "All solutions").
 #pragma once
 
+#include <functional>
+
 #include "base/number/effort.hpp"
 #include "contact/complete/motion/frictionless.hpp"
 
@@ -30,9 +32,18 @@ struct PatternNode {
   std::size_t children = 0;
 };
 
+/// How far a search is.
+struct SearchState {
+  std::size_t patterns = 0;  ///< of the tree
+  std::size_t open = 0;      ///< that wait to be looked at
+  std::size_t motions = 0;   ///< found
+};
+using SearchProgress = std::function<void(const SearchState&)>;
+
 struct CompleteOptions {
   Work effort = 20'000'000'000;  ///< about 20 seconds
   std::size_t most_nodes = 200'000;
+  SearchProgress progress = {};  ///< called from one thread, each time that a generation of patterns begins
 };
 
 /// In the units of `scaled`.

@@ -88,7 +88,7 @@ std::vector<Range> ranges(const std::vector<Rational>& centers, const std::vecto
 
 }  // namespace
 
-std::optional<SolutionTree> solution_tree(const MixedProblem& problem, Work effort) {
+std::optional<SolutionTree> solution_tree(const MixedProblem& problem, Work effort, const SearchProgress& progress) {
   if (problem.free > most_free) return std::nullopt;
   RationalMatrix inverse;
   if (problem.free > 0) {
@@ -101,6 +101,7 @@ std::optional<SolutionTree> solution_tree(const MixedProblem& problem, Work effo
                          to_rationals(problem.mu)};
   CompleteOptions options;
   options.effort = effort;
+  options.progress = progress;
   return SolutionTree{all_solutions(contacts, options), std::move(inverse)};
 }
 

@@ -16,7 +16,8 @@ struct SolutionTree {
 
 /// By Coulomb's law; nothing where free unknowns are not determined by forces, or there are more than 60 of them.
 /// Throws NumberError for NaN and infinities, and std::runtime_error in a build without Clp.
-std::optional<SolutionTree> solution_tree(const MixedProblem& problem, Work effort);
+std::optional<SolutionTree> solution_tree(const MixedProblem& problem, Work effort,
+                                          const SearchProgress& progress = {});
 
 /// In the units of the problem, without free unknowns. Patterns that stay open are named.
 AllSolutions all_solutions_of(const SolutionTree& tree);

@@ -1,11 +1,25 @@
 #include "contact/judge/all_solutions.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "base/number/format.hpp"
 
 namespace slipproof {
 
 bool AllSolutions::one() const {
   return complete() && solutions.size() == 1 && !solutions[0].is_family() && solutions[0].exists && solutions[0].alone;
+}
+
+std::string AllSolutions::open_words() const {
+  constexpr std::size_t shown = 60;
+  std::string first = unexamined.front();
+  if (first.size() > shown) first = first.substr(0, shown) + "...";
+  std::string text =
+      fmt::format("found {}, and {} {} open, the first {}", solutions.size(), counted(unexamined.size(), "pattern"),
+                  unexamined.size() == 1 ? "stays" : "stay", first);
+  return open_speed ? text + fmt::format("; there no velocity is above {}", at_most(*open_speed)) : text;
 }
 
 bool AllSolutions::several_motions() const {

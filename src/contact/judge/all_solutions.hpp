@@ -39,6 +39,8 @@ struct AllSolutions {
   /// Whether it is proved that there is no other.
   bool complete() const { return unexamined.empty(); }
   bool none() const { return complete() && solutions.empty(); }
+  /// What a search leaves that is not complete: `found 2, and 3 patterns stay open, the first stick/slip`.
+  std::string open_words() const;
   bool one() const;
   /// Whether two with different velocities are known.
   bool several_motions() const;

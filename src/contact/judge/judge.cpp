@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "base/number/binary64.hpp"
-#include "base/number/format.hpp"
 #include "base/parallel/failure.hpp"
 #include "contact/enclosure/sizes.hpp"
 #include "contact/exact/border.hpp"
@@ -47,17 +46,6 @@ std::optional<FrictionLaw> pyramid_that_fits(const MixedProblem& problem, std::s
 bool have_modes(const MixedProblem& problem) {
   using enum FrictionLaw;
   return problem.is_coulomb() || problem.law.kind == associated || problem.law.kind == box;
-}
-
-/// What a search for all solutions leaves that ended before.
-std::string open_patterns_words(const AllSolutions& some) {
-  std::string first = some.unexamined.front();
-  if (first.size() > 60) first = first.substr(0, 60) + "...";
-  std::string text =
-      fmt::format("found {}, and {} stay{} open, the first {}", some.solutions.size(),
-                  counted(some.unexamined.size(), "pattern"), some.unexamined.size() == 1 ? "s" : "", first);
-  if (some.open_speed) text += fmt::format("; there no velocity is above {}", at_most(*some.open_speed));
-  return text;
 }
 
 /// An answer that is to be judged, and what is known of it so far.
@@ -119,14 +107,14 @@ class ContactCase {
     if (!problem_.is_coulomb() || j_.all) return;
     extra("all solutions", [&] {
       if (!tree) {
-        auto found = solution_tree(problem_, options_.effort);
+        auto found = solution_tree(problem_, options_.effort, options_.progress);
         if (!found) throw std::runtime_error("the free unknowns are not determined by the forces, or too many");
         tree = std::make_shared<const SolutionTree>(*std::move(found));
       }
       AllSolutions all = all_solutions_of(*tree);
       if (!all.complete()) {
         j_.some = std::move(all);
-        throw std::runtime_error(open_patterns_words(*j_.some));
+        throw std::runtime_error(j_.some->open_words());
       }
       j_.all = std::move(all);
       j_.tree = std::move(tree);

@@ -31,6 +31,7 @@ struct ContactJudgeOptions {
   EnclosureOptions enclosure;
   Work effort = 3'000'000'000;     ///< for theorems about all answers, and for exact solutions: a few seconds
   std::size_t others_up_to = 200;  ///< unknowns of a mode up to which other solutions are looked for
+  SearchProgress progress = {};    ///< of the search for all solutions
 };
 
 /// A search for other solutions in modes whose equations are linear.

@@ -56,6 +56,16 @@ TEST_CASE("a block that turns while it slips has a continuum of motions: two tha
   CHECK(hosts > 0);
 }
 
+TEST_CASE("of a continuum two motions are listed, though others were found, and borders of it are no second one") {
+  for (const int twist : {2, 6}) {
+    CAPTURE(twist);
+    const CompleteSolutions found = all_solutions(block(4, Rational(twist, 4)).contacts());
+    REQUIRE(found.complete());
+    CHECK(found.motions.size() == 2);
+    CHECK(found.nodes.size() < 1000);
+  }
+}
+
 TEST_CASE("a foot above the floor's level that three others close is closed, without a force") {
   ContactBody body = block(0, 0);
   body.add({0, 0, Rational(-1, 2)}, Rational(5, 16));

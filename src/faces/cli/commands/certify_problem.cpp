@@ -11,6 +11,7 @@
 #include "contact/formats/read_files.hpp"
 #include "contact/judge/certificate.hpp"
 #include "contact/judge/problem_name.hpp"
+#include "faces/cli/progress.hpp"
 #include "proofs/check_contact/files.hpp"
 #include "records/problems/contact_record.hpp"
 #include "report/html/contact_report.hpp"
@@ -149,7 +150,14 @@ int run_certify_problem(const CertifyProblemArguments& options, const GateArgume
   if (!options.report.empty()) report.emplace(options.report, inputs);
 
   Gate gate(gate_options, options.file, inputs);
+  ProgressLine line(!common.quiet);
+  if (line.is_shown()) {
+    judge.judge.progress = [&](const SearchState& at) {
+      line.at(at.patterns, 0, fmt::format("{} patterns, {} open; {} motions found", at.patterns, at.open, at.motions));
+    };
+  }
   const JudgedProblem problem = judge_problem_file(options.file, std::move(read), judge);
+  line.clear();
   std::string lines, words;
   for (std::size_t i = 0; i < problem.answers.size(); ++i) {
     lines += contact_line(problem, i) + '\n';
