@@ -66,6 +66,18 @@ TEST_CASE("of a continuum two motions are listed, though others were found, and 
   }
 }
 
+TEST_CASE("a body on eight contacts rests, though the forces that were found press only a few of them") {
+  RandomContacts random(1);
+  for (int i = 0; i < 19; ++i) {
+    const ExactContacts body = random.body(8);
+    if (i != 6 && i != 18) continue;
+    CAPTURE(i);
+    const CompleteSolutions found = all_solutions(body);
+    CHECK(found.complete());
+    CHECK(std::ranges::any_of(found.motions, [](const SpatialMotion& m) { return m.u == std::vector<Rational>(24); }));
+  }
+}
+
 TEST_CASE("a foot above the floor's level that three others close is closed, without a force") {
   ContactBody body = block(0, 0);
   body.add({0, 0, Rational(-1, 2)}, Rational(5, 16));

@@ -39,13 +39,16 @@ class MotionFinder {
         unknowns_(exact, mode, touching_) {}
 
   MotionCandidate find(const ProposedPoint& start, const std::function<bool(std::span<const double>)>& is_known) {
-    if (is_linear()) return {false, find_exactly(start)};
     std::vector<double> z = unknowns_at(start);
+    if (is_linear()) {
+      auto motion = find_exactly(z);
+      return {false, motion || exact_.dimension < 3 ? std::move(motion) : find_at_border(z)};
+    }
     if (!newton(z) || !plausible(z)) return {};
     u_ = velocities_at(z);
     if (is_known(u_)) return {true, std::nullopt};
     auto motion = motion_in_box(exact_, mode_, touching_, z, derivative_);
-    return {false, motion ? std::move(motion) : find_along_short_directions(z)};
+    return {false, motion ? std::move(motion) : find_at_border(z)};
   }
 
   /// After find(), which found no motion: the open contacts whose u_N is 0 up to rounding at the zero; empty if there
@@ -141,14 +144,14 @@ class MotionFinder {
   }
 
   /// Where the mode's equations are linear.
-  std::optional<SpatialMotion> find_exactly(const ProposedPoint& start) const {
+  std::optional<SpatialMotion> find_exactly(const std::vector<double>& near) const {
     RationalMatrix rows;
     for (const auto& equation : mode_equations<Rational>(exact_, exact_, mode_, unknowns_)) {
       std::vector<Rational>& row = rows.emplace_back(unknowns_.count() + 1);
       for (const auto& [j, a] : equation.linear) row[j] += a;
       row.back() = -equation.constant;
     }
-    const auto z = solve_near(rows, unknowns_at(start), 20);
+    const auto z = solve_near(rows, near, 20);
     if (!z) return std::nullopt;
     SpatialMotion motion = motion_at(exact_, mode_, touching_, z->x);
     if (!satisfies_law(exact_, motion.r, motion.u)) return std::nullopt;
@@ -156,54 +159,74 @@ class MotionFinder {
     return motion;
   }
 
-  /// At a border of a mode no box is inside of its conditions. If the slips have short directions, forces along these
-  /// satisfy linear equations, and the motion is found exactly.
-  std::optional<SpatialMotion> find_along_short_directions(const std::vector<double>& z) const {
-    std::vector<std::vector<Rational>> columns, rows;  // forces, and what velocities are 0 along
-    std::vector<double> near;
-    const auto add = [&](std::vector<std::vector<Rational>>& list, std::size_t k, std::vector<Rational> part) {
-      std::vector<Rational>& own = list.emplace_back(exact_.size());
+  /// Directions that forces may have, and along which velocities are 0: W r + q = 0 along `rows`, for r in `columns`.
+  struct LinearMode {
+    RationalMatrix columns, rows;
+    std::vector<double> near;  ///< about the forces
+
+    std::vector<std::size_t> loaded() const {
+      constexpr double none = 1e-9;
+      std::vector<std::size_t> result;
+      for (std::size_t c = 0; c < near.size(); ++c) {
+        if (std::abs(near[c]) > none) result.push_back(c);
+      }
+      return result;
+    }
+  };
+
+  /// Nothing where a contact slips in a direction that is not short.
+  std::optional<LinearMode> linear_mode(const std::vector<double>& z) const {
+    LinearMode result;
+    const auto placed = [&](std::size_t k, std::vector<Rational> part) {
+      std::vector<Rational> own(exact_.size());
       std::ranges::move(part, own.begin() + static_cast<std::ptrdiff_t>(exact_.normal(k)));
+      return own;
     };
     for (std::size_t k = 0; k < mode_.size(); ++k) {
       if (mode_[k].kind == Kind::open) continue;
       const std::size_t first = unknowns_.first[k];
-      if (!unknowns_.slips_in_space(k)) {
-        for (std::size_t t = 0; t < unknowns_.forces(k); ++t) {
-          std::vector<Rational> part(exact_.dimension);
-          part[t] = 1;
-          add(columns, k, part), add(rows, k, part);
-          near.push_back(z[first + t]);
-        }
-        continue;
+      for (std::size_t t = 0; t < unknowns_.forces(k) && !unknowns_.slips_in_space(k); ++t) {
+        std::vector<Rational> part(exact_.dimension);
+        part[t] = 1;
+        result.columns.push_back(placed(k, part));
+        result.rows.push_back(placed(k, part));
+        result.near.push_back(z[first + t]);
       }
+      if (!unknowns_.slips_in_space(k)) continue;
       const auto d = Direction::short_at(std::atan2(-z[first + 2], -z[first + 1]));
       if (!d) return std::nullopt;
-      const Rational x(d->x, d->length), y(d->y, d->length);
-      add(columns, k, {1, -exact_.mu[k] * x, -exact_.mu[k] * y});
-      add(rows, k, {1, 0, 0}), add(rows, k, {0, -y, x});
-      near.push_back(z[first]);
+      const Rational x(d->x, d->length), y(d->y, d->length), &mu = exact_.mu[k];
+      result.columns.push_back(placed(k, {1, -mu * x, -mu * y}));
+      result.rows.push_back(placed(k, {1, 0, 0}));
+      result.rows.push_back(placed(k, {0, -y, x}));
+      result.near.push_back(z[first]);
     }
-    return with_forces(columns, rows, near);
+    return result;
   }
 
-  /// Forces in these columns with W r + q = 0 along these rows.
-  std::optional<SpatialMotion> with_forces(const RationalMatrix& columns, const RationalMatrix& rows,
-                                           std::span<const double> near) const {
-    RationalMatrix along, system(rows.size());
-    for (const std::vector<Rational>& column : columns) along.push_back(product(exact_.W, column));
-    for (std::size_t e = 0; e < rows.size(); ++e) {
-      for (const std::vector<Rational>& u : along) system[e].push_back(dot(rows[e], u));
-      system[e].push_back(-dot(rows[e], exact_.q));
+  /// In space, at a border of a mode: where some contacts bear nothing no box is inside of its conditions. These have
+  /// no force here; and if all slips have short directions, forces along them satisfy linear equations.
+  std::optional<SpatialMotion> find_at_border(const std::vector<double>& z) const {
+    const auto mode = linear_mode(z);
+    if (!mode) return std::nullopt;
+    RationalMatrix along, all(mode->rows.size()), system(mode->rows.size());
+    for (const std::vector<Rational>& column : mode->columns) along.push_back(product(exact_.W, column));
+    const std::vector<std::size_t> loaded = mode->loaded();
+    for (std::size_t e = 0; e < mode->rows.size(); ++e) {
+      for (const std::vector<Rational>& u : along) all[e].push_back(dot(mode->rows[e], u));
+      for (const std::size_t c : loaded) system[e].push_back(all[e][c]);
+      system[e].push_back(-dot(mode->rows[e], exact_.q));
     }
-    const auto solution = solve_near(system, near, 20);
+    std::vector<double> near;
+    for (const std::size_t c : loaded) near.push_back(mode->near[c]);
+    const auto solution = solve_near(system, near, 36);
     if (!solution) return std::nullopt;
     std::vector<Rational> r(exact_.size());
-    for (std::size_t c = 0; c < columns.size(); ++c) {
-      for (std::size_t i = 0; i < r.size(); ++i) r[i] += columns[c][i] * solution->x[c];
+    for (std::size_t c = 0; c < loaded.size(); ++c) {
+      for (std::size_t i = 0; i < r.size(); ++i) r[i] += mode->columns[loaded[c]][i] * solution->x[c];
     }
     auto motion = exact_motion(exact_, mode_, std::move(r));
-    if (motion) motion->open_directions = solution->open_directions;
+    if (motion && !along.empty()) motion->open_directions = along.size() - eliminate(all).rank();
     return motion;
   }
 
