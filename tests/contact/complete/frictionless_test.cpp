@@ -53,7 +53,7 @@ TEST_CASE("squares are those of symmetric, semidefinite matrices") {
   REQUIRE(squares);
   CHECK(squares->size() == 2);
   CHECK((*squares)[1].factor == Rational(3, 2));
-  CHECK_FALSE(squares_of({{1, 1}, {0, 1}}));  // asymmetric
+  CHECK_FALSE(squares_of({{1, 1}, {0, 2}}));  // asymmetric
   CHECK_FALSE(squares_of({{1, 2}, {2, 1}}));  // indefinite
   CHECK_FALSE(squares_of({{0, 1}, {1, 0}}));  // a pivot of 0
   CHECK_FALSE(squares_of({{-1}}));

@@ -13,13 +13,13 @@ namespace {
 
 constexpr int gravity = 10;
 
-/// Mass 1, feet at the corners of a rectangle of 2 by 3/2, 1/2 below the centre of mass, mu = 5/16.
-ContactBody block(const Rational& push, const Rational& twist) {
+/// Mass 1, feet at the corners of a rectangle of 2 by 3/2, 1/2 below the centre of mass, mu = 5/16 unless it is given.
+ContactBody block(const Rational& push, const Rational& twist, const Rational& mu = Rational(5, 16)) {
   ContactBody result;
   result.inertia = {Rational(1, 2), Rational(1, 2), 1};
   result.acceleration = {push, 0, -gravity, 0, 0, twist};
   for (const int x : {-1, 1}) {
-    for (const int y : {-1, 1}) result.add({x, Rational(3 * y, 4), Rational(-1, 2)}, Rational(5, 16));
+    for (const int y : {-1, 1}) result.add({x, Rational(3 * y, 4), Rational(-1, 2)}, mu);
   }
   return result;
 }
@@ -57,12 +57,15 @@ TEST_CASE("a block that turns while it slips has a continuum of motions: two tha
 }
 
 TEST_CASE("of a continuum two motions are listed, though others were found, and borders of it are no second one") {
-  for (const int twist : {2, 6}) {
+  for (const int twist : {6, 8}) {
     CAPTURE(twist);
-    const CompleteSolutions found = all_solutions(block(4, Rational(twist, 4)).contacts());
+    ContactBody turning = block(4, Rational(twist, 4), Rational(1, 4));
+    turning.inertia[1] = Rational(3, 4);
+    CompleteOptions options;
+    options.most_nodes = 1000;
+    const CompleteSolutions found = all_solutions(turning.contacts(), options);
     REQUIRE(found.complete());
     CHECK(found.motions.size() == 2);
-    CHECK(found.nodes.size() < 1000);
   }
 }
 
