@@ -28,7 +28,7 @@ struct VelocityBox {
   static VelocityBox of(const SpatialMotion& motion);
   void add(const VelocityBox& other);
   bool contains(const VelocityBox& other) const;
-  /// Whether it has velocities within so much of these, up to rounding.
+  /// Whether it has velocities within so much of these.
   bool is_near(std::span<const double> u, double distance) const;
   bool overlaps(const VelocityBox& other) const;
   VelocityBox widened(const Rational& distance) const;

@@ -144,15 +144,7 @@ bool has_one_force(const CompleteSolutions& found, std::size_t m) {
   for (std::size_t k = 0; k < pressed.size(); ++k) {  // where u is that of the motion everywhere
     if (found.motions[m].u[contacts.normal(k)].sign() > 0) pressed[k] = false;
   }
-  RationalMatrix columns;
-  for (std::size_t k = 0; k < pressed.size(); ++k) {
-    const std::size_t own = !pressed[k] ? 0 : contacts.has_friction(k) ? contacts.dimension : 1;
-    for (std::size_t t = 0; t < own; ++t) {
-      std::vector<Rational>& column = columns.emplace_back();
-      for (const auto& row : contacts.W) column.push_back(row[contacts.normal(k) + t]);
-    }
-  }
-  return columns.empty() || eliminate(columns).rank() == columns.size();
+  return open_directions(contacts, pressed) == 0;
 }
 
 FoundSolution solution_of(const CompleteSolutions& found, std::size_t m) {

@@ -78,18 +78,6 @@ bool slides_with_friction(const ExactContacts& contacts, std::span<const Rationa
   return false;
 }
 
-/// How many directions of the forces of closed contacts W does not see.
-std::size_t open_directions(const ExactContacts& contacts, const ContactPattern& mode) {
-  RationalMatrix columns;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const std::size_t k = i / contacts.dimension;
-    if (mode[k].kind == Kind::open || (i != contacts.normal(k) && !contacts.has_friction(k))) continue;
-    std::vector<Rational>& column = columns.emplace_back();
-    for (const auto& row : contacts.W) column.push_back(row[i]);
-  }
-  return columns.empty() ? 0 : columns.size() - eliminate(columns).rank();
-}
-
 }  // namespace
 
 std::optional<SpatialMotion> motion_without_friction(const ExactContacts& contacts, std::span<const Rational> u) {
@@ -97,12 +85,13 @@ std::optional<SpatialMotion> motion_without_friction(const ExactContacts& contac
   auto r = NormalForces(contacts, u).most_even();
   if (!r) return std::nullopt;
   ContactPattern mode(contacts.contacts());
+  std::vector<bool> pressed;
   for (std::size_t k = 0; k < mode.size(); ++k) {
-    const bool is_open = u[contacts.normal(k)].sign() > 0;
-    mode[k].kind = is_open ? Kind::open : contacts.has_friction(k) ? Kind::stick : Kind::closed;
+    pressed.push_back(u[contacts.normal(k)].is_zero());
+    mode[k].kind = !pressed[k] ? Kind::open : contacts.has_friction(k) ? Kind::stick : Kind::closed;
   }
   auto motion = exact_motion(contacts, mode, std::move(*r));
-  if (motion) motion->open_directions = open_directions(contacts, mode);
+  if (motion) motion->open_directions = open_directions(contacts, pressed);
   return motion;
 }
 

@@ -265,6 +265,18 @@ std::vector<Rational> velocities(const ExactContacts& contacts, std::span<const 
   return u;
 }
 
+std::size_t open_directions(const ExactContacts& contacts, const std::vector<bool>& pressed) {
+  RationalMatrix columns;
+  for (std::size_t k = 0; k < pressed.size(); ++k) {
+    const std::size_t own = !pressed[k] ? 0 : contacts.has_friction(k) ? contacts.dimension : 1;
+    for (std::size_t t = 0; t < own; ++t) {
+      std::vector<Rational>& column = columns.emplace_back();
+      for (const auto& row : contacts.W) column.push_back(row[contacts.normal(k) + t]);
+    }
+  }
+  return columns.empty() ? 0 : columns.size() - eliminate(columns).rank();
+}
+
 std::optional<SpatialMotion> exact_motion(const ExactContacts& contacts, const ContactPattern& mode,
                                           std::vector<Rational> r) {
   SpatialMotion motion;

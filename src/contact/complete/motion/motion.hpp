@@ -61,6 +61,9 @@ struct SpatialMotion {
   bool differs(const SpatialMotion& other) const;
 };
 
+/// In how many directions the forces of these contacts move nothing: W does not see them.
+std::size_t open_directions(const ExactContacts& contacts, const std::vector<bool>& pressed);
+
 /// With these forces, if they satisfy the law.
 std::optional<SpatialMotion> exact_motion(const ExactContacts& contacts, const ContactPattern& mode,
                                           std::vector<Rational> r);
