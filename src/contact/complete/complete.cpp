@@ -116,7 +116,7 @@ class SolutionSearch {
     }
     visit.point = std::move(point);
     const bool decided = is_decided(node.pattern);
-    if (decided) visit.shrunk = shrink_an_arc(node.pattern, program);
+    if (decided) visit.shrunk = shrink_widest_arc(node.pattern, program);
     find_from(node.pattern, *visit.point, visit);
     const bool open = std::ranges::any_of(visit.candidates, [](const auto& m) { return m.open_directions > 0; });
     const bool none = visit.candidates.empty() && !visit.has_known;
@@ -194,6 +194,7 @@ class SolutionSearch {
 
   /// Where all velocities are those of a known motion, nearly.
   bool close_near(PatternNode& node, Visit& visit) const {
+    if (!is_decided(node.pattern)) return false;
     const Rational distance = power_of_two(-MotionList::near_bits);
     for (std::size_t m = 0; m < found_.motions.size(); ++m) {
       const SpatialMotion& motion = found_.motions[m];

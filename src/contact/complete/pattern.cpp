@@ -59,6 +59,13 @@ Integer cross(const Direction& a, const Direction& b) {
   return a.x * b.y - a.y * b.x;
 }
 
+bool is_decided(const ExactContacts& contacts, const ContactPattern& pattern, std::size_t k) {
+  using Kind = ContactState::Kind;
+  const Kind kind = pattern[k].kind;
+  return kind == Kind::open || kind == Kind::stick || kind == Kind::slip ||
+         (kind == Kind::closed && !contacts.has_friction(k));
+}
+
 namespace {
 
 using Kind = ContactState::Kind;

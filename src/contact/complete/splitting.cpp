@@ -12,7 +12,6 @@ using Kind = ContactState::Kind;
 
 constexpr double narrow_arc = 0x1p-8;      ///< arc, in radians: it is not cut off any more, but halved
 constexpr double narrowest_arc = 0x1p-30;  ///< arc that is split
-constexpr std::size_t most_shrunk = 2;     ///< arcs of a pattern that are tried, the widest
 constexpr int direction_bits = 12;         ///< of an end of a wide arc; narrow ones have more
 
 /// A direction strictly within an arc, as near to an angle as the arc's width asks for.
@@ -116,12 +115,6 @@ PatternSplit split_into(const ContactPattern& pattern, std::size_t contact, cons
 
 }  // namespace
 
-bool is_decided(const ExactContacts& contacts, const ContactPattern& pattern, std::size_t k) {
-  const Kind kind = pattern[k].kind;
-  return kind == Kind::open || kind == Kind::stick || kind == Kind::slip ||
-         (kind == Kind::closed && !contacts.has_friction(k));
-}
-
 double violation(const FloatingContacts& contacts, std::size_t k, const ProposedPoint& point) {
   const std::size_t i = contacts.normal(k);
   double speed = 0, power = 0;
@@ -132,23 +125,17 @@ double violation(const FloatingContacts& contacts, std::size_t k, const Proposed
   return std::min(point.u[i], point.r[i]) + std::max(0.0, contacts.mu[k] * point.r[i] * speed + power);
 }
 
-std::optional<ShrunkArc> shrink_an_arc(const ContactPattern& pattern, PatternProgram& program) {
-  std::vector<std::size_t> arcs;
+std::optional<ShrunkArc> shrink_widest_arc(const ContactPattern& pattern, PatternProgram& program) {
+  constexpr double enough = 0.75;  // less is left: a cut is worth it
+  std::optional<std::size_t> widest;
   for (std::size_t k = 0; k < pattern.size(); ++k) {
     const ContactState& state = pattern[k];
-    if (state.kind == Kind::slip && !(state.from == state.to) && state.width() >= narrow_arc) arcs.push_back(k);
+    if (state.kind != Kind::slip || state.from == state.to || state.width() < narrow_arc) continue;
+    if (!widest || state.width() > pattern[*widest].width()) widest = k;
   }
-  std::ranges::stable_sort(arcs, std::ranges::greater(), [&](std::size_t k) { return pattern[k].width(); });
-  arcs.resize(std::min(arcs.size(), most_shrunk));
-  std::optional<ShrunkArc> result;
-  double best = 0.75;
-  for (const std::size_t k : arcs) {
-    const std::array<double, 2> left = program.directions(k);
-    if (left[1] - left[0] >= best) continue;
-    best = left[1] - left[0];
-    result = {k, left};
-  }
-  return result;
+  if (!widest) return std::nullopt;
+  const std::array<double, 2> left = program.directions(*widest);
+  return left[1] - left[0] < enough ? std::optional(ShrunkArc{*widest, left}) : std::nullopt;
 }
 
 PatternSplit split_pattern(const ExactContacts& exact, const FloatingContacts& contacts, const ContactPattern& pattern,

@@ -5,8 +5,6 @@
 
 namespace slipproof {
 
-/// Whether nothing but a direction is left to decide about a contact.
-bool is_decided(const ExactContacts& contacts, const ContactPattern& pattern, std::size_t contact);
 /// How far a point is from the law at a contact: 0 where it obeys it.
 double violation(const FloatingContacts& contacts, std::size_t contact, const ProposedPoint& point);
 
@@ -16,8 +14,8 @@ struct ShrunkArc {
   std::array<double, 2> left;
 };
 
-/// The arc of which most can be cut off. `program` is that of the pattern, and its relaxation has a point.
-std::optional<ShrunkArc> shrink_an_arc(const ContactPattern& pattern, PatternProgram& program);
+/// The widest arc, if much of it can be cut off. `program` is that of the pattern, and its relaxation has a point.
+std::optional<ShrunkArc> shrink_widest_arc(const ContactPattern& pattern, PatternProgram& program);
 
 /// A pattern as several, which differ in one contact and together have all of its motions.
 struct PatternSplit {
@@ -25,7 +23,7 @@ struct PatternSplit {
   std::vector<ContactPattern> children;  ///< empty if nothing can be split
 };
 
-/// `point` is a point of its relaxation, `shrunk` what shrink_an_arc() found. Arcs are cut beside known motions.
+/// `point` is a point of its relaxation, `shrunk` what shrink_widest_arc() found. Arcs are cut beside known motions.
 PatternSplit split_pattern(const ExactContacts& exact, const FloatingContacts& contacts, const ContactPattern& pattern,
                            const ProposedPoint& point, const std::optional<ShrunkArc>& shrunk,
                            const std::vector<SpatialMotion>& motions);

@@ -84,14 +84,16 @@ std::optional<SpatialMotion> motion_without_friction(const ExactContacts& contac
   if (slides_with_friction(contacts, u)) return std::nullopt;
   auto r = NormalForces(contacts, u).most_even();
   if (!r) return std::nullopt;
+  std::vector<bool> touching;
+  for (std::size_t k = 0; k < contacts.contacts(); ++k) touching.push_back(u[contacts.normal(k)].is_zero());
+  const std::size_t open = open_directions(contacts, touching);
   ContactPattern mode(contacts.contacts());
-  std::vector<bool> pressed;
   for (std::size_t k = 0; k < mode.size(); ++k) {
-    pressed.push_back(u[contacts.normal(k)].is_zero());
-    mode[k].kind = !pressed[k] ? Kind::open : contacts.has_friction(k) ? Kind::stick : Kind::closed;
+    const bool idle = open == 0 && (*r)[contacts.normal(k)].is_zero();  // open in the tree, too
+    mode[k].kind = !touching[k] || idle ? Kind::open : contacts.has_friction(k) ? Kind::stick : Kind::closed;
   }
   auto motion = exact_motion(contacts, mode, std::move(*r));
-  if (motion) motion->open_directions = open_directions(contacts, pressed);
+  if (motion) motion->open_directions = open;
   return motion;
 }
 

@@ -149,14 +149,17 @@ std::vector<double> PatternProgram::duals() const {
   return y;
 }
 
-/// Adds a tangent where the point's force is outside of the true cone; false if it is nowhere.
+/// Adds a tangent where the point's force is outside of the true cone; false if it is nowhere. Roughly while more is to
+/// decide than directions: then patterns within this one follow.
 bool PatternProgram::cut(const ProposedPoint& point) {
-  bool cuts = false;
+  bool cuts = false, decided = true;
+  for (std::size_t k = 0; k < pattern_.size(); ++k) decided = decided && is_decided(exact_, pattern_, k);
+  const double outside = decided ? 1e-9 : 1e-3;
   for (std::size_t k = 0; k < pattern_.size() && contacts_.dimension == 3; ++k) {
     const std::size_t i = contacts_.normal(k);
     if (!exact_.has_friction(k) || pattern_[k].kind == Kind::slip || pattern_[k].kind == Kind::open) continue;
     const double force = std::hypot(point.r[i + 1], point.r[i + 2]);
-    if (force <= contacts_.mu[k] * point.r[i] * (1 + 1e-9) + small) continue;
+    if (force <= contacts_.mu[k] * point.r[i] * (1 + outside) + small) continue;
     double angle = std::atan2(point.r[i + 2], point.r[i + 1]);
     if (angle < 0) angle += 2 * std::numbers::pi;
     std::vector<double>& angles = tangents_[k];
@@ -189,28 +192,19 @@ PatternProgram::Feasibility PatternProgram::feasibility() {
   return {std::move(nearest), {}};
 }
 
-/// The least of side * t / a, where t and a are the parts of u_T or -r_T across and along a direction and a >= 0, by
-/// Dinkelbach's method: a zero of the least of side * t - slope * a.
+/// Where side * t is least, about the least of side * t / a: t and a are the parts of u_T or -r_T across and along a
+/// direction, a > 0.
 std::optional<double> PatternProgram::least_slope(bool forces, std::size_t row, double middle, double side) {
-  const std::size_t n = contacts_.size();
   const double c = std::cos(middle), s = std::sin(middle), sign = forces ? -1 : 1;
-  double slope = 0;
-  for (int step = 0; step < 3; ++step) {
-    std::vector<double> form(n);
-    form[row + 1] = sign * (-side * s - slope * c);
-    form[row + 2] = sign * (side * c - slope * s);
-    const std::vector<double> zero(n);
-    if (!least_duals(forces ? zero : form, forces ? form : zero, 0)) return std::nullopt;
-    const ProposedPoint corner = point();
-    const double x = sign * (forces ? corner.r : corner.u)[row + 1], y = sign * (forces ? corner.r : corner.u)[row + 2];
-    const double along = c * x + s * y, across = side * (c * y - s * x);
-    if (along < small) return step > 0 ? std::optional(slope) : std::nullopt;
-    const double next = across / along;
-    const bool settled = std::abs(next - slope) < 0.02;
-    slope = next;
-    if (settled) break;
-  }
-  return slope;
+  std::vector<double> form(contacts_.size());
+  const std::vector<double> zero(form);
+  form[row + 1] = -sign * side * s;
+  form[row + 2] = sign * side * c;
+  if (!least_duals(forces ? zero : form, forces ? form : zero, 0)) return std::nullopt;
+  const ProposedPoint corner = point();
+  const double x = sign * (forces ? corner.r : corner.u)[row + 1], y = sign * (forces ? corner.r : corner.u)[row + 2];
+  const double along = c * x + s * y;
+  return along < small ? std::nullopt : std::optional(side * (c * y - s * x) / along);
 }
 
 std::array<double, 2> PatternProgram::directions(std::size_t k) {
