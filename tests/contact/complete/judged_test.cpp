@@ -101,7 +101,7 @@ TEST_CASE("a search that ends early tells what it found, how many patterns are o
   const MixedProblem problem = mixed_problem(read_problem_file(file).problem);
   ContactJudgeOptions options;
   options.all = true;
-  options.effort = 100'000'000;
+  options.effort = 50'000'000;
   const ContactJudgement early = judge_contacts(problem, std::vector<double>(problem.size()), {}, options);
   CHECK_FALSE(early.all);
   REQUIRE(early.some);
