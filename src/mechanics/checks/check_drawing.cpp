@@ -108,8 +108,8 @@ class Drawing {
     result.radius = number(shape.radius);
     if (shape.kind == BodyShape::Kind::circle) return result;
     const Spot middle = result.corners[0];
-    const Rational w = number(shape.width) / 2, h = number(shape.height) / 2, c = number(frames_[body].turn.entry(0, 0)),
-                   s = number(frames_[body].turn.entry(1, 0));
+    const Rational w = number(shape.width) / 2, h = number(shape.height) / 2,
+                   c = number(frames_[body].turn.entry(0, 0)), s = number(frames_[body].turn.entry(1, 0));
     const Spot across{w * c, w * s}, up{-h * s, h * c};
     result.corners = {middle - across - up, middle + across - up, middle + across + up, middle - across + up};
     return result;
