@@ -11,8 +11,8 @@ using namespace slipproof;
 namespace {
 
 std::string header(const std::string& gravity) {
-  return "schema = \"slipproof/mechanism/1\"\nname = \"by hand\"\ndimension = 3\ngravity = [\"0\", \"0\", \"" + gravity +
-         "\"]\n";
+  return "schema = \"slipproof/mechanism/1\"\nname = \"by hand\"\ndimension = 3\ngravity = [\"0\", \"0\", \"" +
+         gravity + "\"]\n";
 }
 
 /// A scene all of which stands in numbers.
@@ -88,8 +88,8 @@ TEST_CASE("what slides on a turning disc feels Coriolis' force where it is seen 
   const SolvedSpace slides = solved(particle_on_disc(R"("7", "2", "0")", "3/10"));  // outwards, with 7
   CHECK(is(slides, "ax", -3));
   CHECK(is(slides, "ay", 0));
-  CHECK(is(slides, "slip_p", 1));      // spin^2 r - mu g
-  CHECK(is(slides, "slip2_p", -28));   // - 2 spin v
+  CHECK(is(slides, "slip_p", 1));     // spin^2 r - mu g
+  CHECK(is(slides, "slip2_p", -28));  // - 2 spin v
   CHECK(is(slides, "T1_p", -9));
   CHECK(is(slides, "T2_p", 0));
 }
@@ -151,7 +151,8 @@ friction = "1/2"
   CHECK(is(coin, "N_edge", 10));
 }
 
-/// A ball rolls on the outside of a fixed one: at the top with the speed v it is held by N = m g - m v^2/D.
+/// A ball rolls on the outside of a fixed one: at the top with the velocity v it is held by N = m g - m v^2/D. Its spin
+/// w about the normal, which turns by v/D, would let it slip by w (v2, -v1)/D; forces move it by 1/m + R^2/I.
 TEST_CASE("a ball that rolls over another is lighter") {
   const SolvedSpace ball = solved(R"(
 [[body]]
@@ -160,7 +161,7 @@ mass = "2"
 inertia = ["4/5", "4/5", "4/5"]
 at = ["0", "0", "3"]
 velocity = ["3", "4", "0"]
-spin = ["-4", "3", "7"]
+spin = ["-4", "3", "1/2"]
 [[contact]]
 name = "top"
 of = "ball"
@@ -173,4 +174,6 @@ friction = "1"
   CHECK(ball.motions.front().modes == std::vector<std::string>{"stick"});
   CHECK(is(ball, "az", Rational(-25, 3)));
   CHECK(is(ball, "N_top", Rational(10, 3)));
+  CHECK(is(ball, "T1_top", Rational(-2, 3) / Rational(7, 4)));
+  CHECK(is(ball, "T2_top", Rational(1, 2) / Rational(7, 4)));
 }
