@@ -16,6 +16,7 @@ struct GeometryFact {
   std::string name;  ///< name of the assumption if it does not hold everywhere: `axle-meets`
   std::string what;  ///< "the ends of the joint axle are X apart", with X for the value
   Place place;
+  bool somewhere = false;  ///< it need not hold everywhere: where it does not, there is no scene
 };
 
 /// The velocities of an element before the motion.
@@ -26,6 +27,8 @@ struct ElementVelocity {
   Expression sliding;       ///< null: frictionless
   bool state_given = false;
   Place place;
+  Expression second = nullptr;  ///< of a contact in space: the sliding along its second direction,
+  Expression speed = nullptr;   ///< and how fast it slides, >= 0; null where no rational expression says it
 };
 
 struct BodyGeometry {
