@@ -89,7 +89,7 @@ class Joint(Element):
         self.text = f'[[joint]]\nname = "{name}"\nkind = "{kind}"\nbetween = ["{first.name}", "{second.name}"]\nat = {texts(at)}\n'
         self.text += f"to = {texts(to)}\n" if write_to else ""
         self.text += f"axis = {texts(axis)}\n" if axis is not None else ""
-        self.text += f"axis2 = {texts(other_axis)}\n" if other_axis is not None else ""
+        self.text += f"to_axis = {texts(other_axis)}\n" if other_axis is not None else ""
 
 
 class Span(Element):
