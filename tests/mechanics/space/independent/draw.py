@@ -113,16 +113,17 @@ class System:
         self.elements.append(Joint(name, kind, first, second, at, second.to_own(place), axis, other, write_to))
 
     def gear(self, carrier, second):
-        """`second` and another body, both on hinges of the carrier with one axis."""
+        """`second` and another body, both on hinges of the carrier, in every second with one axis."""
         free = [b for b in self.bodies if b.moves_freely and b is not second and b is not carrier]
         axis = self.draw.frame()[0]
-        wheels = [self.rng.choice(free)] if free else []
-        for body in wheels + [second]:
+        axes = [axis, self.rng.choice((axis, self.draw.frame()[0]))]
+        wheels = [self.rng.choice(free), second] if free else [second]
+        for body, along in zip(wheels, axes):
             at = self.draw.vector()
-            self.elements.append(Joint(self.name("hinge"), "hinge", carrier, body, at, body.to_own(carrier.to_scene(at)), axis))
-        if wheels:
+            self.elements.append(Joint(self.name("hinge"), "hinge", carrier, body, at, body.to_own(carrier.to_scene(at)), along))
+        if free:
             ratio = self.draw.number(1, 3) * self.rng.choice((1, -1))
-            self.elements.append(Gear(self.name("gear"), wheels[0], second, carrier, axis, ratio))
+            self.elements.append(Gear(self.name("gear"), wheels[0], second, carrier, axes, ratio))
 
     def touch(self, of, on):
         d, name = self.draw, self.name("c")

@@ -118,29 +118,26 @@ class Span(Element):
 
 
 class Gear(Element):
-    """The second body's turning over the first's, about one axis of the carrier, on which both are hinged."""
+    """The second body's turning over the first's, each about an axis of the carrier on which it is hinged."""
 
-    def __init__(self, name, first, second, carrier, axis, ratio):
+    def __init__(self, name, first, second, carrier, axes, ratio):
         super().__init__((first, second, carrier))
         self.kind = "gear"
-        scene = [x for x in carrier.axes]
-        along = scene[0] * axis[0] + scene[1] * axis[1] + scene[2] * axis[2]
-        side = along.cross(Vector(*map(Fraction, (1, 0, 0))))
-        if side.dot(side) == 0:
-            side = along.cross(Vector(*map(Fraction, (0, 1, 0))))
 
-        def turned(m, body):
+        def turned(m, body, axis):
             """The rate at which a mark across the axis turns about it, as the carrier sees it."""
-            mark, axis_now = m.turned(body, side), m.turned(carrier, along)
-            carried = m.turned(carrier, side)
-            rate = Vector(*(x.derivative() for x in mark))
-            own = Vector(*(x.derivative() for x in carried))
-            size = side.dot(side)
-            return (mark.cross(rate).dot(axis_now) - carried.cross(own).dot(axis_now)) * (1 / size)
+            along = carrier.to_scene(axis) - carrier.at
+            side = next(v for v in map(along.cross, UNITS) if v.dot(v) != 0)
 
-        self.links.append(Rate(lambda m: turned(m, second) - turned(m, first) * ratio))
+            def rate(mark):
+                return mark.cross(Vector(*(x.derivative() for x in mark))).dot(m.turned(carrier, along))
+
+            return (rate(m.turned(body, side)) - rate(m.turned(carrier, side))) * (1 / side.dot(side))
+
+        self.links.append(Rate(lambda m: turned(m, second, axes[1]) - turned(m, first, axes[0]) * ratio))
         self.text = (f'[[joint]]\nname = "{name}"\nkind = "gear"\nbetween = ["{first.name}", "{second.name}"]\n'
-                     f'ratio = "{ratio}"\ncarrier = "{carrier.name}"\naxis = {texts(axis)}\n')
+                     f'ratio = "{ratio}"\ncarrier = "{carrier.name}"\naxis = {texts(axes[0])}\n')
+        self.text += f"to_axis = {texts(axes[1])}\n" if axes[1] != axes[0] else ""
 
 
 class Contact(Element):
