@@ -131,16 +131,19 @@ class System:
         radius = self.rng.choice((Fraction(0), Fraction(self.rng.randint(1, 4), 2)))
         friction = self.rng.choice((Fraction(1, 2), Fraction(1), Fraction(3, 4), None))
         centre = of.to_scene(point)
+        speed = self.rng.choice((0, 0, Fraction(self.rng.randint(1, 4), 2))) if friction is not None else 0
+        cosine, sine, _ = rotation((self.rng.randint(-3, 3), 0, 0, self.rng.randint(1, 3)))[0]
+        sliding = speed * cosine, speed * sine, speed
         kind = self.rng.choice(("plane", "plane", "sphere", "hollow"))
         if kind == "plane":
             through = on.to_own(centre - frame[0] * radius + frame[1] * d.number() + frame[2] * d.number())
-            self.elements.append(Contact(name, of, on, point, radius, frame, friction, through))
+            self.elements.append(Contact(name, of, on, point, radius, frame, friction, sliding, through))
             return
         on_radius = Fraction(self.rng.randint(1, 4), 2)
         if kind == "hollow":
             on_radius = -(radius + on_radius)
         on_point = on.to_own(centre - frame[0] * (radius + on_radius))
-        self.elements.append(Contact(name, of, on, point, radius, frame, friction, None, on_point, on_radius))
+        self.elements.append(Contact(name, of, on, point, radius, frame, friction, sliding, None, on_point, on_radius))
 
     def push(self):
         d = self.draw
@@ -152,15 +155,18 @@ class System:
             on, other = self.two()
             self.elements.append(Torque(on, d.vector(), other if other.moves_freely and self.rng.random() < 0.5 else None))
 
+    def slides(self):
+        return any(getattr(e, "slides", None) is not None for e in self.elements)
+
     def set_velocities(self):
-        """Random ones that fit; False if there are none but 0, or none."""
+        """Random ones that fit; False if there is only one, or none."""
         given = {b.name: Rates(b.velocity, b.spin) for b in self.bodies if not b.moves_freely}
         columns = unknowns(self.bodies)
         rows, right = [], []
         for e in self.elements:
-            for f in e.conditions():
+            for f, speed in e.conditions():
                 rows.append(work_row(f.function, self.bodies, [b for b in self.bodies if b.name in e.among], f.speed))
-                right.append(-f.speed(f.function(Motion(given))))
+                right.append(Fraction(speed - f.speed(f.function(Motion(given)))))
         found = solutions(rows, right) if rows else ([Fraction(0)] * len(columns), [])
         if found is None or not found[1]:
             return False

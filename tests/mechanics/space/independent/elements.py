@@ -48,10 +48,11 @@ class Element:
 
     def __init__(self, among):
         self.among, self.links, self.rows, self.loads, self.text = [b.name for b in among], [], [], [], ""
-        self.shut = []  # rows whose velocities are 0
+        self.speeds = []  # functions and what their speeds must be
 
     def conditions(self):
-        return self.links + self.shut
+        """All functions whose speeds are known, with these."""
+        return [(f, 0) for f in self.links] + self.speeds
 
 
 def each(function):
@@ -109,7 +110,7 @@ class Span(Element):
             self.links.append(Place(distance))
         elif kind == "rope":
             self.rows = [(name, "N", Place(lambda m: -distance(m)))]
-            self.shut = [f for _, _, f in self.rows]
+            self.speeds = [(f, 0) for _, _, f in self.rows]
         else:
             self.loads.append((Place(distance), -force))
         self.text = (f'[[joint]]\nname = "{name}"\nkind = "{kind}"\nbetween = ["{first.name}", "{second.name}"]\n'
@@ -142,10 +143,13 @@ class Gear(Element):
 
 class Contact(Element):
     """A sphere, or a point where the radius is 0, on a plane or on a sphere; `frame`: normal and both tangents in the
-    scene now. The material points that touch do not slide."""
+    scene now. `sliding`: the velocity along both tangents of the material points that touch, and its length."""
 
-    def __init__(self, name, of, on, point, radius, frame, friction, through=None, on_point=None, on_radius=None):
+    def __init__(self, name, of, on, point, radius, frame, friction, sliding=(0, 0, 0), through=None, on_point=None,
+                 on_radius=None):
         super().__init__((of, on))
+        self.name, self.friction = name, friction
+        self.slides = None if sliding[2] == 0 else (sliding[0] / sliding[2], sliding[1] / sliding[2])
         self.kind = "plane" if on_point is None else "sphere" if on_radius > 0 else "hollow sphere"
         own = [on.to_own(on.at + v) for v in frame]
         between_centres = 0 if on_radius is None else radius + on_radius
@@ -159,16 +163,16 @@ class Contact(Element):
             distance = between.dot(between).root(between_centres)  # negative in a hollow sphere
             return between * distance.inverse(), distance - between_centres, centre
 
-        def sliding(m, k):
+        def slip(m, k):
             n, _, centre = normal_and_gap(m)
             touched = centre - n * radius
-            slip = m.velocity_of_matter(of, touched) - m.velocity_of_matter(on, touched)
-            return slip.dot(m.turned(on, frame[k]))
+            apart = m.velocity_of_matter(of, touched) - m.velocity_of_matter(on, touched)
+            return apart.dot(m.turned(on, frame[k]))
 
         self.rows = [(name, "N", Place(lambda m: normal_and_gap(m)[1]))]
         if friction is not None:
-            self.rows += [(name, f"T{k}", Rate(lambda m, k=k: sliding(m, k))) for k in (1, 2)]
-        self.shut = [f for _, _, f in self.rows]
+            self.rows += [(name, f"T{k}", Rate(lambda m, k=k: slip(m, k))) for k in (1, 2)]
+        self.speeds = [(f, speed) for (_, _, f), speed in zip(self.rows, (0, *sliding))]
         self.text = f'[[contact]]\nname = "{name}"\nof = "{of.name}"\npoint = {texts(point)}\n'
         self.text += f'radius = "{radius}"\n' if radius else ""
         self.text += f'on = "{on.name}"\n'

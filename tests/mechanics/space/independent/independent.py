@@ -8,7 +8,8 @@ Each system has 1 to 5 bodies with any inertia and attitude, held by joints of a
 gears, spheres and points that touch planes and spheres of the ground, of other bodies and of one that moves as prescribed,
 forces and couples, and random velocities that fit all of this. Lagrange's side knows where material points are as a
 function of time, and the kinetic energy, and nothing else. M, f, H and w must be the same rationals; G and b must hold the
-same accelerations, as the directions across a joint may be any.
+same accelerations, as the directions across a joint may be any. Where a contact slides, the forces of joints are eliminated
+on both sides, and W and q must be the same.
 """
 import json
 import random
@@ -49,15 +50,19 @@ def exported(program, text, folder):
     return json.loads((folder / "p.json").read_text())
 
 
-def systems(rng):
-    """In turn, so that each joint and each contact comes often."""
+def systems(rng, turning_equations):
+    """With the problem of each; in turn, so that each joint comes often, and without those whose joints contradict each
+    other, as they do where they lock."""
     index = 0
     while True:
         kinds = [JOINTS[index % len(JOINTS)]] + [rng.choice(JOINTS) for _ in range(rng.randint(0, 4))]
         system = System(rng, kinds, rng.choice((0, 1, 1, 2)))
-        if system.set_velocities():
+        if not system.set_velocities():
+            continue
+        problem = Problem(system, turning_equations)
+        if problem.links_fit():
             index += 1
-            yield system
+            yield system, problem
 
 
 def main():
@@ -65,16 +70,17 @@ def main():
     rng = random.Random(int(sys.argv[3]) if len(sys.argv) > 3 else 64)
     selfcheck(place)
     turning_equations = lagrange_of_turning()
-    seen, wrong = Counter(), 0
+    seen, wrong, sliding = Counter(), 0, 0
     with tempfile.TemporaryDirectory() as folder:
-        for index, system in zip(range(count), systems(rng)):
+        for index, (system, problem) in zip(range(count), systems(rng, turning_equations)):
             seen.update(e.kind for e in system.elements if hasattr(e, "kind"))
+            sliding += system.slides()
             found = exported(program, system.text(), Path(folder))
-            differences = [found] if isinstance(found, str) else Problem(system, turning_equations).differences(found)
+            differences = [found] if isinstance(found, str) else problem.differences(found)
             if differences:
                 wrong += 1
                 print(f"system {index}:\n{system.text()}\n" + "\n".join(differences), flush=True)
-    print(f"{count} systems, " + ", ".join(f"{n} {kind}" for kind, n in sorted(seen.items())))
+    print(f"{count} systems, {sliding} of which slide: " + ", ".join(f"{n} {kind}" for kind, n in sorted(seen.items())))
     if wrong:
         sys.exit(f"{wrong} systems differ")
     print("every number is the same rational")

@@ -40,3 +40,10 @@ def solutions(rows, right):
             direction[pivot] = -row[free]
         basis.append(direction)
     return one, basis
+
+
+def solved_for(rows, wanted, unknowns):
+    """The first `wanted` of the unknowns, which rows determine, over the other columns."""
+    echelon, _ = reduced(rows, unknowns)
+    pivots = {next(k for k, x in enumerate(row) if x != 0): row for row in echelon}
+    return [pivots[k][unknowns:] for k in range(wanted)]

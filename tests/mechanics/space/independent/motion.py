@@ -101,13 +101,13 @@ def unit(k, sort):
 
 def work_row(function, bodies, among, speed):
     """Over the unknowns: the speed of a function in each unit velocity. `among`: the bodies that it depends on."""
-    return [speed(function(Motion({b.name: unit(k, "velocity")}))) if b in among else Fraction(0) for b, k in unknowns(bodies)]
+    return [Fraction(speed(function(Motion({b.name: unit(k, "velocity")}))) if b in among else 0) for b, k in unknowns(bodies)]
 
 
 def acceleration_row(function, bodies, among, derivative):
     """The derivative at the instant as an affine form over the unknown accelerations: coefficients and constant."""
     now = first_motion(bodies)
-    constant = derivative(function(Motion(now)))
+    constant = Fraction(derivative(function(Motion(now))))
     row = []
     for body, k in unknowns(bodies):
         if body not in among:

@@ -1,7 +1,7 @@
 """The contact problem of a system from Lagrange's equations with multipliers, and how an exported one differs from it."""
 from fractions import Fraction
 
-from linear import reduced
+from linear import reduced, solved_for
 from motion import acceleration_row, unknowns, work_row
 
 
@@ -15,6 +15,7 @@ class Problem:
         for body in (b for b in self.bodies if b.moves_freely):
             self.add_body(body, turning_equations, system.gravity)
         self.columns, self.links = {}, []
+        self.contacts = [e for e in system.elements if e.rows]
         for element in system.elements:
             among = element.among
             for f in element.links:
@@ -53,9 +54,16 @@ class Problem:
             self.M.append(row)
             self.f.append(-Fraction(constant[i]))
 
+    def links_fit(self):
+        """Whether accelerations satisfy them."""
+        return all(any(link[:-1]) for link in reduced(self.links))
+
     def differences(self, exported):
         """Words on all that is not the same rational."""
-        found = []
+        friction = [str(getattr(e, "friction", None) or 0) for e in self.contacts]
+        if "W" in exported:
+            return self.differences_of_local_form(exported)
+        found = [] if [str(Fraction(x)) for x in exported["mu"]] == friction else [f"mu: expected {friction}"]
         if numbers(exported["M"]) != self.M:
             found.append("M")
         if [Fraction(x) for x in exported["f"]] != self.f:
@@ -79,6 +87,36 @@ class Problem:
         links = [[row[i] for row in G] + [b[i]] for i in range(len(b))]
         if reduced(links) != reduced(self.links):
             found.append(f"what joints hold: rank {len(reduced(links))}, expected {len(reduced(self.links))}")
+        return found
+
+
+    def local_form(self):
+        """u = W r + q, with r = N, T1, T2 of each contact; one that slides pushes by N - mu N d."""
+        columns = [self.columns.get((name, force), ([Fraction(0)] * self.size, Fraction(0)))
+                   for name in (e.rows[0][0] for e in self.contacts) for force in ("N", "T1", "T2")]
+        links = reduced(self.links)
+        rows = [M + [-link[i] for link in links] + [c[i] for c, _ in columns] + [self.f[i]] for i, M in enumerate(self.M)]
+        rows += [link[:-1] + [Fraction(0)] * (len(links) + len(columns)) + [-link[-1]] for link in links]
+        motion = solved_for(rows, self.size, self.size + len(links))
+        for row in motion:
+            for k, e in enumerate(self.contacts):
+                if getattr(e, "slides", None) is not None:
+                    row[3 * k] -= e.friction * (e.slides[0] * row[3 * k + 1] + e.slides[1] * row[3 * k + 2])
+                    row[3 * k + 1] = row[3 * k + 2] = Fraction(0)
+        u = [[sum(c[i] * motion[i][j] for i in range(self.size)) for j in range(len(columns) + 1)] for c, _ in columns]
+        return [row[:-1] for row in u], [row[-1] + w for row, (_, w) in zip(u, columns)]
+
+    def differences_of_local_form(self, exported):
+        """Directions on a sphere may be carried along in any way; so where one slides on a sphere only N is compared."""
+        W, q = self.local_form()
+        found = []
+        for k, e in enumerate(self.contacts):
+            for t in range(1 if getattr(e, "slides", None) is not None and e.kind != "plane" else 3):
+                i = 3 * k + t
+                told = [Fraction(x) for x in exported["W"][i]], Fraction(exported["q"][i])
+                if told != (W[i], q[i]):
+                    found.append(f"row {t} of {exported['contacts'][k]}: found {exported['W'][i]} and {exported['q'][i]}, "
+                                 f"expected {[str(x) for x in W[i]]} and {q[i]}")
         return found
 
 

@@ -6,7 +6,7 @@ class Series:
     __slots__ = ("c",)
 
     def __init__(self, c0, c1=0, c2=0):
-        self.c = (Fraction(c0), Fraction(c1), Fraction(c2))
+        self.c = c0, c1, c2
 
     def __add__(self, other):
         a, b = self.c, series(other).c
@@ -18,9 +18,10 @@ class Series:
 
     def __mul__(self, other):
         if not isinstance(other, Series):
-            return Series(*(x * other for x in self.c))
+            return Series(*(product(x, other) for x in self.c))
         a, b = self.c, other.c
-        return Series(a[0] * b[0], a[0] * b[1] + a[1] * b[0], a[0] * b[2] + a[1] * b[1] + a[2] * b[0])
+        return Series(product(a[0], b[0]), product(a[0], b[1]) + product(a[1], b[0]),
+                      product(a[0], b[2]) + product(a[1], b[1]) + product(a[2], b[0]))
 
     def __neg__(self):
         return Series(*(-x for x in self.c))
@@ -28,12 +29,12 @@ class Series:
     __rmul__ = __mul__
 
     def inverse(self):
-        a, b, c = self.c
+        a, b, c = map(Fraction, self.c)
         return Series(1 / a, -b / a**2, b * b / a**3 - c / a**2)
 
     def root(self, first):
         """The square root whose value at the instant is `first`, which the caller knows."""
-        a, b, c = self.c
+        a, b, c = map(Fraction, self.c)
         assert first * first == a
         second = b / (2 * first)
         return Series(first, second, (c - second * second) / (2 * first))
@@ -54,6 +55,10 @@ class Series:
     def second(self):
         """The second derivative."""
         return 2 * self.c[2]
+
+
+def product(x, y):
+    return x * y if x and y else 0  # most are
 
 
 def series(x):
