@@ -4,7 +4,7 @@
     scenes.py SLIPPROOF CASES [--record]
 
 A number that is recorded as one fraction must be that fraction; an enclosure must have a number in common with the
-recorded one, and be of the same modes, and be proved to exist and to be the only one within.
+recorded one. Each motion must be proved to exist, and be of the recorded mode where that is a strict one.
 """
 import json
 import subprocess
@@ -33,10 +33,14 @@ def same(recorded, found):
 
 
 def same_motion(recorded, found):
-    if any(recorded[key] != found[key] for key in ("modes", "exists", "unique", "open_directions")):
-        return False
-    return all(recorded[key].keys() == found[key].keys() and all(same(x, found[key][name]) for name, x in recorded[key].items())
-               for key in ("accelerations", "slips", "forces"))
+    """Forces that are open are any of theirs, and so is the mode of a motion at a border."""
+    keys = ["accelerations", "slips"]
+    if recorded["status"] == "strict":
+        if recorded["modes"] != found["modes"] or recorded["open_directions"] != found["open_directions"]:
+            return False
+        keys += ["forces"] if recorded["open_directions"] == 0 else []
+    names = {key: recorded[key].keys() & found[key].keys() if key == "slips" else recorded[key].keys() for key in keys}
+    return found["exists"] and all(same(recorded[key][name], found[key].get(name)) for key in keys for name in names[key])
 
 
 def mistakes(recorded, found):
@@ -55,7 +59,7 @@ def mistakes(recorded, found):
 
 def main():
     program, cases, record = sys.argv[1], Path(sys.argv[2]), "--record" in sys.argv
-    scenes = sorted((cases / "scenes").glob("*.toml"))
+    scenes = [cases / "cube-pushed-obliquely.toml", *sorted((cases / "scenes").glob("*.toml"))]
     assert len(scenes) >= 10
     wrong = []
     for scene in scenes:

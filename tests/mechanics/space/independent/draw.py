@@ -156,7 +156,7 @@ class System:
             self.elements.append(Torque(on, d.vector(), other if other.moves_freely and self.rng.random() < 0.5 else None))
 
     def slides(self):
-        return any(getattr(e, "slides", None) is not None for e in self.elements)
+        return any(e.slides is not None for e in self.elements)
 
     def set_velocities(self):
         """Random ones that fit; False if there is only one, or none."""

@@ -49,6 +49,7 @@ class Element:
     def __init__(self, among):
         self.among, self.links, self.rows, self.loads, self.text = [b.name for b in among], [], [], [], ""
         self.speeds = []  # functions and what their speeds must be
+        self.friction, self.slides = Fraction(0), None
 
     def conditions(self):
         """All functions whose speeds are known, with these."""
@@ -148,7 +149,7 @@ class Contact(Element):
     def __init__(self, name, of, on, point, radius, frame, friction, sliding=(0, 0, 0), through=None, on_point=None,
                  on_radius=None):
         super().__init__((of, on))
-        self.name, self.friction = name, friction
+        self.friction = friction or Fraction(0)
         self.slides = None if sliding[2] == 0 else (sliding[0] / sliding[2], sliding[1] / sliding[2])
         self.kind = "plane" if on_point is None else "sphere" if on_radius > 0 else "hollow sphere"
         own = [on.to_own(on.at + v) for v in frame]

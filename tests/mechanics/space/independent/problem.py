@@ -15,7 +15,7 @@ class Problem:
         for body in (b for b in self.bodies if b.moves_freely):
             self.add_body(body, turning_equations, system.gravity)
         self.columns, self.links = {}, []
-        self.contacts = [e for e in system.elements if e.rows]
+        self.contacts = {e.rows[0][0]: e for e in system.elements if e.rows}
         for element in system.elements:
             among = element.among
             for f in element.links:
@@ -60,10 +60,15 @@ class Problem:
 
     def differences(self, exported):
         """Words on all that is not the same rational."""
-        friction = [str(getattr(e, "friction", None) or 0) for e in self.contacts]
+        if sorted(exported["contacts"]) != sorted(self.contacts):
+            return [f"contacts: found {exported['contacts']}, expected {list(self.contacts)}"]
+        contacts = [self.contacts[name] for name in exported["contacts"]]
+        friction = [e.friction if e.slides is None else 0 for e in contacts]
+        if [Fraction(x) for x in exported["mu"]] != friction:
+            return [f"mu: found {exported['mu']}, expected {friction}"]
         if "W" in exported:
-            return self.differences_of_local_form(exported)
-        found = [] if [str(Fraction(x)) for x in exported["mu"]] == friction else [f"mu: expected {friction}"]
+            return self.differences_of_local_form(exported, contacts)
+        found = []
         if numbers(exported["M"]) != self.M:
             found.append("M")
         if [Fraction(x) for x in exported["f"]] != self.f:
@@ -90,28 +95,28 @@ class Problem:
         return found
 
 
-    def local_form(self):
+    def local_form(self, contacts):
         """u = W r + q, with r = N, T1, T2 of each contact; one that slides pushes by N - mu N d."""
         columns = [self.columns.get((name, force), ([Fraction(0)] * self.size, Fraction(0)))
-                   for name in (e.rows[0][0] for e in self.contacts) for force in ("N", "T1", "T2")]
+                   for name in (e.rows[0][0] for e in contacts) for force in ("N", "T1", "T2")]
         links = reduced(self.links)
         rows = [M + [-link[i] for link in links] + [c[i] for c, _ in columns] + [self.f[i]] for i, M in enumerate(self.M)]
         rows += [link[:-1] + [Fraction(0)] * (len(links) + len(columns)) + [-link[-1]] for link in links]
         motion = solved_for(rows, self.size, self.size + len(links))
         for row in motion:
-            for k, e in enumerate(self.contacts):
-                if getattr(e, "slides", None) is not None:
+            for k, e in enumerate(contacts):
+                if e.slides is not None:
                     row[3 * k] -= e.friction * (e.slides[0] * row[3 * k + 1] + e.slides[1] * row[3 * k + 2])
                     row[3 * k + 1] = row[3 * k + 2] = Fraction(0)
         u = [[sum(c[i] * motion[i][j] for i in range(self.size)) for j in range(len(columns) + 1)] for c, _ in columns]
         return [row[:-1] for row in u], [row[-1] + w for row, (_, w) in zip(u, columns)]
 
-    def differences_of_local_form(self, exported):
+    def differences_of_local_form(self, exported, contacts):
         """Directions on a sphere may be carried along in any way; so where one slides on a sphere only N is compared."""
-        W, q = self.local_form()
+        W, q = self.local_form(contacts)
         found = []
-        for k, e in enumerate(self.contacts):
-            for t in range(1 if getattr(e, "slides", None) is not None and e.kind != "plane" else 3):
+        for k, e in enumerate(contacts):
+            for t in range(1 if e.slides is not None and e.kind != "plane" else 3):
                 i = 3 * k + t
                 told = [Fraction(x) for x in exported["W"][i]], Fraction(exported["q"][i])
                 if told != (W[i], q[i]):
