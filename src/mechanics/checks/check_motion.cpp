@@ -6,6 +6,7 @@
 #include "mechanics/bodies/bodies.hpp"
 #include "mechanics/checks/check_parts.hpp"
 #include "mechanics/checks/free_motion.hpp"
+#include "mechanics/mechanism/algebra.hpp"
 
 namespace slipproof::mechanism_checks {
 

@@ -42,4 +42,13 @@ std::vector<MechanismFinding> check_mechanism(const Mechanism& mechanism) {
   return findings;
 }
 
+std::vector<MechanismFinding> check_numbers(const MechanismScene& scene) {
+  using namespace mechanism_checks;
+  if (!scene.mechanism.bodies) return {};
+  const ProblemMaker maker(scene.mechanism);
+  std::vector<MechanismFinding> findings = check_drawing_at(scene.mechanism, maker, scene.values);
+  std::ranges::move(check_solids_at(scene.mechanism, maker, scene.values), std::back_inserter(findings));
+  return findings;
+}
+
 }  // namespace slipproof

@@ -31,14 +31,12 @@ bool side_ends_before(const std::vector<Outline>& outlines, const Spot& place, c
 
 class DrawingCheck {
  public:
-  explicit DrawingCheck(const CheckPoints& points)
-      : m_(points.mechanism()), scene_(*m_.bodies), flat_(scene_.dimension == 2 ? "line" : "plane") {
+  DrawingCheck(const Mechanism& mechanism, const ProblemMaker& maker)
+      : m_(mechanism), scene_(*m_.bodies), maker_(maker), flat_(scene_.dimension == 2 ? "line" : "plane") {
     frames_ = bodies_in_motion::frames(scene_);
-    for (const CheckPoint& point : points.all()) {
-      if (drawings_.size() == CheckPoints::enough) break;
-      drawings_.emplace_back(scene_, frames_, points.maker(), point.values);
-    }
   }
+
+  void draw(const MechanismValues& values) { drawings_.emplace_back(scene_, frames_, maker_, values); }
 
   std::vector<MechanismFinding> check() {
     for (std::size_t i = 0; i < scene_.contacts.size(); ++i) {
@@ -168,8 +166,10 @@ class DrawingCheck {
     const auto lifts = [&](Drawing& d) {
       const Spot g = d.spot(bodies_in_motion::unplaced(scene_.gravity));
       const Spot n = d.direction(standing[0]->on, standing[0]->normal);
-      const auto presses = [&](const BodyForce& f) {
-        return dot(f.follows ? d.direction(f.on, f.is) : d.spot(bodies_in_motion::unplaced(f.is)), n).sign() < 0;
+      const auto presses = [&](const BodyForce& f) {  // one of the load may, unless it is along the surface
+        const auto is = bodies_in_motion::unplaced(f.is);
+        const auto normal = frames_[standing[0]->on].in_scene(bodies_in_motion::unplaced(standing[0]->normal));
+        return d.number(dot(f.follows ? frames_[f.on].in_scene(is) : is, normal)).sign() < 0;
       };
       return std::ranges::all_of(standing, [&](const BodyContact* c) { return d.direction(c->on, c->normal) == n; }) &&
              std::ranges::none_of(scene_.forces, presses) && dot(g, n).sign() >= 0 &&
@@ -194,6 +194,7 @@ class DrawingCheck {
 
   const Mechanism& m_;
   const Bodies& scene_;
+  const ProblemMaker& maker_;
   const std::string flat_;  ///< what contacts are on
   std::vector<Frame> frames_;
   std::vector<Drawing> drawings_;
@@ -205,7 +206,18 @@ class DrawingCheck {
 }  // namespace drawn
 
 std::vector<MechanismFinding> check_drawing(const CheckPoints& points) {
-  return points.mechanism().bodies ? drawn::DrawingCheck(points).check() : std::vector<MechanismFinding>();
+  if (!points.mechanism().bodies) return {};
+  drawn::DrawingCheck check(points.mechanism(), points.maker());
+  for (std::size_t i = 0; i < std::min(points.all().size(), CheckPoints::enough); ++i)
+    check.draw(points.all()[i].values);
+  return check.check();
+}
+
+std::vector<MechanismFinding> check_drawing_at(const Mechanism& mechanism, const ProblemMaker& maker,
+                                               const MechanismValues& values) {
+  drawn::DrawingCheck check(mechanism, maker);
+  check.draw(values);
+  return check.check();
 }
 
 }  // namespace slipproof::mechanism_checks

@@ -7,9 +7,7 @@
 #include "mechanics/checks/check_parts.hpp"
 #include "mechanics/checks/drawing/drawing.hpp"
 
-namespace slipproof {
-
-namespace mechanism_checks {
+namespace slipproof::mechanism_checks {
 
 namespace drawn {
 
@@ -112,7 +110,8 @@ class SolidCheck {
     if (scene_.bodies[body].shapes.empty() || !scene_.bodies[body].mass) return;
     for (std::size_t i = scene_.dimension == 3 ? 0 : 2; i < 3; ++i) {
       const auto beyond = [&](Drawing& d) {
-        return d.number(given.at(i, i)) > d.number(scene_.bodies[body].mass) * reach(d.outlines(body), i);
+        const Rational mass = d.number(scene_.bodies[body].mass);  // 0: another body's mass counts it
+        return !mass.is_zero() && d.number(given.at(i, i)) > mass * reach(d.outlines(body), i);
       };
       if (always(beyond)) {
         report("found a moment of inertia " + about(i) +
@@ -152,7 +151,13 @@ class SolidCheck {
   }
 
   void centre(std::size_t body) {
-    const auto outside = [&](Drawing& d) { return !d.own_box(body)->holds({}); };
+    const auto outside = [&](Drawing& d) {  // or at its end
+      const auto box = d.own_box(body);
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (box->low[i] < box->high[i] && (box->low[i].sign() >= 0 || box->high[i].sign() <= 0)) return true;
+      }
+      return false;
+    };
     if (!always(outside)) return;
     find(scene_.bodies[body].shapes[0].place,
          "body " + scene_.bodies[body].name +
@@ -160,10 +165,14 @@ class SolidCheck {
              "expected it inside");
   }
 
-  /// Of a point, or of the middle of a sphere.
+  /// Of a point, or of the middle of a sphere, where other contacts of the body are on its shape: legs may be left out.
   void place(const BodyContact& contact) {
     if (contact.of == ground || scene_.bodies[contact.of].shapes.empty()) return;
-    const auto off = [&](Drawing& d) { return !d.own_box(contact.of)->holds(d.own(contact.point)); };
+    const auto off = [&](Drawing& d) {
+      const Box box = *d.own_box(contact.of);
+      const auto on = [&](const BodyContact& c) { return c.of == contact.of && box.holds(d.own(c.point)); };
+      return !on(contact) && std::ranges::any_of(scene_.contacts, on);
+    };
     if (!always(off)) return;
     find(contact.point.place, m_.contacts[contact.contact].name + ": it is outside of the shape of " +
                                   scene_.bodies[contact.of].name + ", expected a place on it, from its centre of mass");
@@ -201,14 +210,11 @@ std::vector<MechanismFinding> check_solids(const CheckPoints& points) {
   return check.check();
 }
 
-}  // namespace mechanism_checks
-
-std::vector<MechanismFinding> check_numbers(const MechanismScene& scene) {
-  if (!scene.mechanism.bodies) return {};
-  const ProblemMaker maker(scene.mechanism);
-  mechanism_checks::drawn::SolidCheck check(scene.mechanism, maker);
-  check.draw(scene.values);
+std::vector<MechanismFinding> check_solids_at(const Mechanism& mechanism, const ProblemMaker& maker,
+                                              const MechanismValues& values) {
+  drawn::SolidCheck check(mechanism, maker);
+  check.draw(values);
   return check.check_numbers();
 }
 
-}  // namespace slipproof
+}  // namespace slipproof::mechanism_checks
