@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "contact/problem/global_problem.hpp"
 #include "contact/exchange/touch.hpp"
+#include "contact/problem/global_problem.hpp"
 
 namespace slipproof::imported {
 

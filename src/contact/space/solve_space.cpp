@@ -59,6 +59,7 @@ class MotionReader {
     SpaceMotion motion;
     motion.exists = found.exists;
     motion.unique = found.alone && found.others.empty();
+    if (!motion.unique && found.others.empty()) motion.others_within = distance_of_others(found);
     motion.open_directions = found.open_directions;
     motion.strict = found.strict;
     const std::vector<std::string> states = parts_of(found.modes.front());
@@ -77,6 +78,15 @@ class MotionReader {
   }
 
  private:
+  static Rational distance_of_others(const FoundSolution& found) {
+    Rational largest;
+    for (std::size_t i = 0; i < found.around.size(); ++i) {
+      largest = std::max({largest, Rational(*found.around[i].upper - *found.u[i].lower),
+                          Rational(*found.u[i].upper - *found.around[i].lower)});
+    }
+    return largest;
+  }
+
   static std::vector<std::string> parts_of(const std::string& mode) {
     std::vector<std::string> parts;
     for (std::size_t from = 0; from < mode.size();) {
@@ -100,7 +110,8 @@ class MotionReader {
     }
   }
 
-  /// Those of closed contacts are u, more narrowly than what follows from all accelerations.
+  /// Those of closed contacts are u, more narrowly than what follows from all accelerations, and 0 where the mode says
+  /// so.
   void add_gaps_and_slips(SpaceMotion& motion, const FoundSolution& found) const {
     const std::size_t bodies = motion.accelerations.size();
     std::size_t row = 0, closed = 0;
@@ -108,7 +119,9 @@ class MotionReader {
       const bool in_problem = closed < p_.contacts.size() && p_.contacts[closed].contact == i;
       for (std::size_t t = 0; t < (m_.contacts[i].second ? 3U : 1U); ++t, ++row) {
         if (in_problem) {
-          motion.accelerations.push_back(found.u[3 * closed + t]);
+          const std::string& mode = motion.modes[i];
+          const bool zero = t == 0 ? mode != "lift" : mode == "stick";
+          motion.accelerations.push_back(zero ? point(0) : found.u[3 * closed + t]);
           continue;
         }
         std::vector<Rational> weights(bodies);

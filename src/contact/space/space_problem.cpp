@@ -90,8 +90,10 @@ class SpaceProblemMaker {
       return mistakes_.add(c.place, c.name + ": found a guide with friction, expected one without in space");
     }
     if (kind.bilateral) return hold(motions[0], c.normal);
-    if (!kind.lifts) mistakes_.add(c.place, c.name + ": found a contact whose lift is not modelled, expected a value of "
-                                                     "what its lift needs");
+    if (!kind.lifts)
+      mistakes_.add(c.place, c.name +
+                                 ": found a contact whose lift is not modelled, expected a value of "
+                                 "what its lift needs");
     SpaceContact contact{i, 0, std::nullopt};
     if (!c.frictionless()) read_friction(c, compiled_.contacts[i], kind.slides(), contact);
     for (std::size_t t = 0; t < 3; ++t) {
@@ -177,8 +179,9 @@ class Elimination {
     throw InputError({{m_.file, place.line, place.column, message}});
   }
   [[noreturn]] void refuse_contradiction() const {
-    refuse({}, "found joints that no accelerations satisfy: they contradict each other, or force a prescribed motion, "
-               "expected joints that fit");
+    refuse({},
+           "found joints that no accelerations satisfy: they contradict each other, or force a prescribed motion, "
+           "expected joints that fit");
   }
   [[noreturn]] void refuse_free(std::size_t unknown) const {
     const MechanismUnknown& one = m_.unknowns[unknown];

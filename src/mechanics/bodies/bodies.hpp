@@ -1,7 +1,8 @@
 // A scene as one draws it: bodies, points, joints, surfaces and forces, from which the equations of a mechanism follow.
 //
 // Coordinates are expressions in parameters, definitions and the symbols of angles: x to the right, y up, turns
-// counterclockwise; in space x to the right, y away, z up. "In the body's axes" means from its centre of mass, along axes that turn with it.
+// counterclockwise; in space x to the right, y away, z up. "In the body's axes" means from its centre of mass, along
+// axes that turn with it.
 #pragma once
 
 #include <array>
@@ -55,16 +56,16 @@ struct Body {
     Place place;
   };
   std::string name;
-  PlacedExpression mass;           ///< null: its motion is prescribed
-  PlacedInertia inertia;           ///< none: its turning is prescribed
-  PlacedVector at;                 ///< the centre of mass; the origin if left out
-  PlacedExpression cosine, sine;   ///< of the angle of its axes; null: along those of the scene
-  PlacedVector turn_axis;          ///< in space: the axis of that angle
+  PlacedExpression mass;                       ///< null: its motion is prescribed
+  PlacedInertia inertia;                       ///< none: its turning is prescribed
+  PlacedVector at;                             ///< the centre of mass; the origin if left out
+  PlacedExpression cosine, sine;               ///< of the angle of its axes; null: along those of the scene
+  PlacedVector turn_axis;                      ///< in space: the axis of that angle
   std::array<PlacedExpression, 4> quaternion;  ///< in space, instead: w x y z, of any length but 0
-  PlacedVector velocity;           ///< of the centre of mass; 0 if left out
-  PlacedVector spin;               ///< in the axes of the scene
-  PlacedVector acceleration;       ///< prescribed, of `at`
-  PlacedVector turning;            ///< prescribed angular acceleration
+  PlacedVector velocity;                       ///< of the centre of mass; 0 if left out
+  PlacedVector spin;                           ///< in the axes of the scene
+  PlacedVector acceleration;                   ///< prescribed, of `at`
+  PlacedVector turning;                        ///< prescribed angular acceleration
   /// Accelerations along x, y, z, then turnings about them; without a symbol: prescribed, or not in the plane.
   std::array<Unknown, 6> unknowns;
   std::vector<BodyShape> shapes;
@@ -81,15 +82,15 @@ inline constexpr std::size_t ground = 0;
 struct BodyContact {
   std::size_t contact = 0;  ///< among the mechanism's, which has its name, friction and forces
   std::size_t of = 0, on = ground;
-  PlacedVector point;            ///< in the axes of `of`
+  PlacedVector point;          ///< in the axes of `of`
   PlacedExpression radius;     ///< radius of the disc; null: a point
-  PlacedVector normal;           ///< of the line, in the axes of `on`, out of it
-  PlacedVector through;          ///< a point of the line, in the axes of `on`
-  PlacedVector on_point;         ///< or the centre of the disc on `on`,
+  PlacedVector normal;         ///< of the line, in the axes of `on`, out of it
+  PlacedVector through;        ///< a point of the line, in the axes of `on`
+  PlacedVector on_point;       ///< or the centre of the disc on `on`,
   PlacedExpression on_radius;  ///< negative for the inside of a ring
   PlacedVector
-      slip_direction;  ///< where the slip counts positive: along the line; the normal turned clockwise if left out
-  PlacedVector tangent;                 ///< in space: the direction of the first slip, in the axes of `on`
+      slip_direction;    ///< where the slip counts positive: along the line; the normal turned clockwise if left out
+  PlacedVector tangent;  ///< in space: the direction of the first slip, in the axes of `on`
   PlacedExpression rolling_resistance;  ///< a length
   std::optional<std::size_t> rolling;   ///< its friction element
   std::string rolling_force;            ///< the name in the file; empty: the default
@@ -102,15 +103,15 @@ struct BodyJoint {
   Kind kind = Kind::pin;
   std::string name;
   std::size_t first = 0, second = 0;
-  PlacedVector at, to;         ///< in the axes of the first, of the second; `to`: the same place if left out
-  PlacedVector axis;           ///< of a slider, hinge, ...: in the axes of the first
-  PlacedVector to_axis;        ///< second axis of a universal joint or gear, in the axes of the second
+  PlacedVector at, to;       ///< in the axes of the first, of the second; `to`: the same place if left out
+  PlacedVector axis;         ///< of a slider, hinge, ...: in the axes of the first
+  PlacedVector to_axis;      ///< second axis of a universal joint or gear, in the axes of the second
   PlacedExpression length;   ///< length of a rod, rope or spring
   PlacedExpression tension;  ///< present tension of a spring
   PlacedExpression ratio;    ///< gear: angular velocity of the second over that of the first, relative to the carrier
   std::size_t carrier = ground;
-  std::vector<std::size_t> links;      ///< among the mechanism's
-  std::optional<std::size_t> contact;  ///< contact of a rope or a freewheel
+  std::vector<std::size_t> links;                               ///< among the mechanism's
+  std::optional<std::size_t> contact;                           ///< contact of a rope or a freewheel
   std::map<std::string, std::string, std::less<>> force_names;  ///< names in the file, by what they are along
   bool state_given = false, well_named = false;
   Place place;
@@ -156,8 +157,8 @@ struct BodyTorque {
 
 struct Bodies {
   std::size_t dimension = 2;  ///< 2: the plane; 3: space
-  PlacedVector gravity;        ///< null: the file states that there is none, or has no masses
-  std::vector<Body> bodies;  ///< the ground first
+  PlacedVector gravity;       ///< null: the file states that there is none, or has no masses
+  std::vector<Body> bodies;   ///< the ground first
   std::vector<BodyContact> contacts;
   std::vector<BodyJoint> joints;
   std::vector<BodyFriction> friction;

@@ -21,8 +21,8 @@ namespace {
 
 /// A direction in which slip counts.
 struct Tangent {
-  SceneVector along, about;       ///< `about` = along x normal: a turn about it slides along
-  Expression velocity, slip;      ///< of the material points that touch, and its derivative
+  SceneVector along, about;   ///< `about` = along x normal: a turn about it slides along
+  Expression velocity, slip;  ///< of the material points that touch, and its derivative
 };
 
 /// Distance, velocities and accelerations of one contact.
@@ -116,7 +116,7 @@ Touch on_disc(Derivation& d, const BodyContact& contact) {
   const Expression radius = unplaced(contact.radius), on_radius = unplaced(contact.on_radius);
   const Expression radii = plus(radius, on_radius);
   const SceneVector between = centre.place - other.place, velocity = centre.velocity - other.velocity,
-                     acceleration = centre.acceleration - other.acceleration;
+                    acceleration = centre.acceleration - other.acceleration;
   const Expression apart = between_centres(d, contact, between, radii);
   Touch touch;
   touch.normal = between / apart;

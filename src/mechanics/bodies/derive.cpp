@@ -30,9 +30,9 @@ std::vector<PlacedExpression> Derivation::derived(const SceneVector& vector, Pla
 }
 
 void Derivation::must_be(GeometryFact::Kind kind, const Expression& value, std::string name, std::string what,
-                         Place place) {
+                         Place place, bool somewhere) {
   if (kind == GeometryFact::Kind::zero && is_literal_zero(value)) return;
-  geometry.facts.push_back({kind, value, std::move(name), std::move(what), place});
+  geometry.facts.push_back({kind, value, std::move(name), std::move(what), place, somewhere});
 }
 
 void Derivation::must_vanish(const Expression& value, std::string name, std::string what, Place place) {
@@ -149,7 +149,8 @@ void write_equations(Derivation& d) {
     const auto along = [&](const SceneVector& turning) {
       return SceneVector{dot(inertia[0], turning), dot(inertia[1], turning), dot(inertia[2], turning)};
     };
-    const SceneVector turning = along(frame.turning), couple = d.loads[i].moment - moment(frame.spin, along(frame.spin));
+    const SceneVector turning = along(frame.turning),
+                      couple = d.loads[i].moment - moment(frame.spin, along(frame.spin));
     for (std::size_t k = 0; k < 3; ++k) add_equation(d, body, 3 + k, turning[k], couple[k], body.inertia.place());
   }
 }
@@ -169,7 +170,8 @@ void check_divisors(Derivation& d) {
 }
 
 void check_turn(Derivation& d, const Body& body) {
-  if (body.turn_axis) d.must_have_length_1(unplaced(body.turn_axis), "body " + body.name + ": axis", body.turn_axis.place);
+  if (body.turn_axis)
+    d.must_have_length_1(unplaced(body.turn_axis), "body " + body.name + ": axis", body.turn_axis.place);
   if (!body.quaternion[0]) return;
   Expression square = zero_literal();
   for (const PlacedExpression& part : body.quaternion) square = plus(square, times(unplaced(part), unplaced(part)));
@@ -181,35 +183,37 @@ void check_turn(Derivation& d, const Body& body) {
 /// second moments of the mass, which are no less than 0.
 void check_inertia(Derivation& d, const Body& body, bool held) {
   const auto own = [&](std::size_t i, std::size_t j) { return unplaced(body.inertia.at(i, j)); };
-  const std::array<Expression, 3> moments{
-      minus(plus(own(1, 1), own(2, 2)), own(0, 0)), minus(plus(own(0, 0), own(2, 2)), own(1, 1)),
-      minus(plus(own(0, 0), own(1, 1)), own(2, 2))};
+  const auto more = [&](std::size_t i) {
+    const Expression a = own((i + 1) % 3, (i + 1) % 3), b = own((i + 2) % 3, (i + 2) % 3), c = own(i, i);
+    return same(a, c) ? b : same(b, c) ? a : minus(plus(a, b), c);
+  };
+  const std::array<Expression, 3> moments{more(0), more(1), more(2)};
   const std::string name = "body " + body.name + ": ";
   constexpr std::array<std::string_view, 3> axes{"xx", "yy", "zz"};
   for (std::size_t i = 0; i < 3; ++i) {
     const PlacedExpression& entry = body.inertia.entries[i];
     d.must_be(GeometryFact::Kind::not_negative, moments[i], body.name + "-inertia-" + std::string(axes[i]),
               name + "found the moment of inertia " + std::string(axes[i]) +
-                  " larger than the other two together: they are X more, which no body has, expected 0 or more",
-              entry.place());
-    d.must_be(held ? GeometryFact::Kind::not_negative : GeometryFact::Kind::positive, own(i, i),
-              body.name + "-inertia", name + "found the inertia X, expected one " + (held ? "of 0 or more" : "above 0"),
-              entry.place());
+                  " larger than the other two together, which no body has: their sum less it is X, expected 0 or more",
+              entry.place(), true);
+    d.must_be(held ? GeometryFact::Kind::not_negative : GeometryFact::Kind::positive, own(i, i), body.name + "-inertia",
+              name + "found the inertia X, expected one " + (held ? "of 0 or more" : "above 0"), entry.place());
   }
   const Expression xy = own(0, 1), xz = own(0, 2), yz = own(1, 2), four = make_number(4);
   if (is_literal_zero(xy) && is_literal_zero(xz) && is_literal_zero(yz)) return;
   const auto minor = [&](std::size_t i, std::size_t j, const Expression& mixed) {
     return minus(times(moments[i], moments[j]), times(four, times(mixed, mixed)));
   };
-  const std::string fits = name + "found products of inertia that are too large for its moments by X, expected a body's";
+  const std::string fits =
+      name + "found products of inertia that are too large for its moments by X, expected a body's";
   const auto hold = [&](const Expression& value) {
-    d.must_be(GeometryFact::Kind::not_negative, value, body.name + "-inertia", fits, body.inertia.place());
+    d.must_be(GeometryFact::Kind::not_negative, value, body.name + "-inertia", fits, body.inertia.place(), true);
   };
   hold(minor(0, 1, xy)), hold(minor(0, 2, xz)), hold(minor(1, 2, yz));
   // The determinant of twice S, whose mixed entries are -2 xy and so on.
   const Expression mixed = times(make_number(-16), times(xy, times(xz, yz)));
-  const Expression taken = plus(plus(times(moments[0], times(yz, yz)), times(moments[1], times(xz, xz))),
-                                times(moments[2], times(xy, xy)));
+  const Expression taken =
+      plus(plus(times(moments[0], times(yz, yz)), times(moments[1], times(xz, xz))), times(moments[2], times(xy, xy)));
   hold(plus(times(moments[0], times(moments[1], moments[2])), minus(mixed, times(four, taken))));
 }
 

@@ -16,6 +16,7 @@ struct GeometryFact {
   std::string name;  ///< name of the assumption if it does not hold everywhere: `axle-meets`
   std::string what;  ///< "the ends of the joint axle are X apart", with X for the value
   Place place;
+  bool somewhere = false;  ///< it need not hold everywhere: where it does not, there is no scene
 };
 
 /// The velocities of an element before the motion.

@@ -91,12 +91,18 @@ Expression turned(const SceneVector& vector, const EntryAt& entry) {
 }  // namespace
 
 SceneVector Turn::in_scene(const SceneVector& own) const {
-  const auto row = [&](std::size_t i) { return turned(own, [&](std::size_t k) -> auto& { return entries_[i][k]; }); };
+  const auto row = [&](std::size_t i) {
+    return turned(
+        own, [&](std::size_t k) -> auto& { return entries_[i][k]; });
+  };
   return {row(0), row(1), row(2)};
 }
 
 SceneVector Turn::in_body(const SceneVector& scene) const {
-  const auto row = [&](std::size_t i) { return turned(scene, [&](std::size_t k) -> auto& { return entries_[k][i]; }); };
+  const auto row = [&](std::size_t i) {
+    return turned(
+        scene, [&](std::size_t k) -> auto& { return entries_[k][i]; });
+  };
   return {row(0), row(1), row(2)};
 }
 
@@ -141,8 +147,7 @@ MovingPoint::MovingPoint(const Frame& frame, const SceneVector& own) {
 RelativePoint::RelativePoint(const MovingPoint& point, const Frame& observer) {
   const SceneVector arm = point.place - observer.at;
   velocity = point.velocity - observer.velocity_at(arm);
-  acceleration =
-      point.acceleration - observer.acceleration_at(arm) - cross(make_number(2) * observer.spin, velocity);
+  acceleration = point.acceleration - observer.acceleration_at(arm) - cross(make_number(2) * observer.spin, velocity);
 }
 
 }  // namespace slipproof::bodies_in_motion

@@ -11,7 +11,7 @@ namespace {
 struct Span {
   SceneVector first_arm, second_arm;  ///< from the centres of mass
   SceneVector along;                  ///< of length 1
-  Expression length, rate, growth;     ///< of its ends' distance, with its first and second derivatives
+  Expression length, rate, growth;    ///< of its ends' distance, with its first and second derivatives
 };
 
 class JointDerivation {
@@ -97,8 +97,9 @@ class JointDerivation {
     const auto own = d_.across(unplaced(joint_.axis));
     if (own) return {first_.in_scene(own->first), first_.in_scene(own->second)};
     d_.mistakes.add(joint_.axis.place,
-                    name() + "axis: found one that may point anywhere, expected one along a plane of the body's axes, "
-                             "or one whose coordinates do not change their sign");
+                    name() +
+                        "axis: found one that may point anywhere, expected one along a plane of the body's axes, "
+                        "or one whose coordinates do not change their sign");
     return {axis, axis};
   }
   /// Both bodies have one direction in common, and turn about it.

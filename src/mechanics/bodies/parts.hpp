@@ -31,7 +31,8 @@ struct Derivation {
   std::vector<PlacedExpression> derived(const SceneVector& vector, Place place) const;
   /// `name` as of GeometryFact; an X in the text stands for the value.
   void must_vanish(const Expression& value, std::string name, std::string what, Place place);
-  void must_be(GeometryFact::Kind kind, const Expression& value, std::string name, std::string what, Place place);
+  void must_be(GeometryFact::Kind kind, const Expression& value, std::string name, std::string what, Place place,
+               bool somewhere = false);
   void must_have_length_1(const SceneVector& vector, const std::string& name, Place place);
   /// The length of the vector between what an element, called by its kind and name, keeps apart; null, and a report,
   /// where it is not rational.

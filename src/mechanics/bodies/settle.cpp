@@ -31,8 +31,10 @@ class Settlement {
     const auto holds = [&](const Rational& value) { return slipproof::holds(relation, sign(value)); };
     if (relation == Relation::equal && bodies_in_motion::vanishes_identically(original_, fact.value)) return;
     const Values values = at_points(fact.value);
+    const bool enough =
+        fact.somewhere && std::ranges::any_of(values, [&](const auto& one) { return holds(one.first); });
     for (const auto& [value, point] : values) {
-      if (holds(value)) continue;
+      if (enough || holds(value)) continue;
       return refuse(fact.place, fact.what, fact.value, value, *point);
     }
     assume(fact.name, fact.value, relation, fact.place);

@@ -24,8 +24,8 @@ inline Expression over(const Expression& x, const Expression& y) {
   return is_literal_zero(x) ? x : quotient_of(x, y);
 }
 
-/// In the axes of the scene or of a body. In the plane z is the literal 0, and so is all that follows from it; turns have
-/// only a z then.
+/// In the axes of the scene or of a body. In the plane z is the literal 0, and so is all that follows from it; turns
+/// have only a z then.
 struct SceneVector {
   Expression x = zero_literal(), y = zero_literal(), z = zero_literal();
 

@@ -143,7 +143,8 @@ class MechanismText {
   std::string states_of(std::size_t element) const {
     std::vector<std::string> names;
     for (const ElementState state : states(kinds_[element])) {
-      const bool turned = m_.dimension == 3 && (state == ElementState::slip_forward || state == ElementState::slip_backward);
+      const bool turned =
+          m_.dimension == 3 && (state == ElementState::slip_forward || state == ElementState::slip_backward);
       if (!turned) names.emplace_back(name(state));
       if (turned && (names.empty() || names.back() != any_slip)) names.emplace_back(any_slip);
     }
@@ -154,7 +155,8 @@ class MechanismText {
     if (!m_.contacts.empty()) text_ += "\nContacts\n";
     for (std::size_t i = 0; i < m_.contacts.size(); ++i) {
       const MechanismContact& c = m_.contacts[i];
-      std::string what = m_.dimension == 3 && c.start == ElementKind::Start::slides_forward ? "slides" : start_text(c.start);
+      std::string what =
+          m_.dimension == 3 && c.start == ElementKind::Start::slides_forward ? "slides" : start_text(c.start);
       if (c.bilateral) what += ", a guide";
       what += c.frictionless() ? ", without friction" : ", friction " + two(c.static_friction, c.kinetic_friction);
       std::vector<std::string> forces{m_.unknowns[c.normal].symbol};

@@ -20,9 +20,10 @@ Expression MechanismEquation::whole_right() const {
 void refuse_other(const Mechanism& mechanism, Dimensions dimensions) {
   if (mechanism.dimension == 2 || dimensions == Dimensions::any) return;
   const Place place = mechanism.dimension_place;
-  throw InputError({{mechanism.file, place.line, place.column,
-                     "dimension: found a mechanism in space, expected one in the plane: of scenes in space `solve` finds "
-                     "all motions, `export` writes the contact problem, `show` the equations"}});
+  throw InputError(
+      {{mechanism.file, place.line, place.column,
+        "dimension: found a mechanism in space, expected one in the plane: of scenes in space `solve` finds "
+        "all motions, `export` writes the contact problem, `show` the equations"}});
 }
 
 std::vector<std::string_view> value_names(const Mechanism& mechanism) {

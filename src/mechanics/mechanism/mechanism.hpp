@@ -1,4 +1,5 @@
-// A mechanism with dry friction as data, in the plane or in space: what a mechanism file says, and what follows from it by virtual work.
+// A mechanism with dry friction as data, in the plane or in space: what a mechanism file says, and what follows from it
+// by virtual work.
 #pragma once
 
 #include <cstddef>
@@ -95,7 +96,7 @@ struct MechanismEquation {
 struct MechanismSlip {
   PlacedExpression slip;
   std::string name;
-  std::size_t force = 0;                  ///< among the unknowns
+  std::size_t force = 0;                    ///< among the unknowns
   std::vector<PlacedExpression> direction;  ///< where it counts positive
   SymbolicForm form;
 };

@@ -108,9 +108,9 @@ std::vector<PlacedExpression> ElementParts::coordinates(const TableReader& table
 std::vector<PlacedExpression> ElementParts::coordinates(const TomlValue& value, std::string_view key) {
   std::vector<PlacedExpression> result;
   if (value.kind != TomlValue::Kind::array || value.items.size() != mechanism_.dimension) {
-    context_.mistakes.add(value.place, std::string(key) + (in_space()
-                                           ? ": expected three coordinates such as [\"b\", \"0\", \"-h\"]"
-                                           : ": expected two coordinates such as [\"b\", \"-h\"]"));
+    context_.mistakes.add(value.place,
+                          std::string(key) + (in_space() ? ": expected three coordinates such as [\"b\", \"0\", \"-h\"]"
+                                                         : ": expected two coordinates such as [\"b\", \"-h\"]"));
     return result;
   }
   for (const TomlValue& item : value.items) result.push_back(context_.expression(item, key, Sort::number));

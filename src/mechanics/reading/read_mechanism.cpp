@@ -132,9 +132,9 @@ using mechanism_reader::Context;
 
 constexpr std::string_view schema = "slipproof/mechanism/1";
 constexpr std::array<std::string_view, 26> mechanism_keys{
-    "schema", "dimension", "name",  "source",   "note",  "reciprocal", "parameters", "assume", "realisable", "definitions",
-    "angles", "load",  "unknowns", "units", "motion",     "equations",  "energy", "contact",    "friction",
-    "link",   "shape", "gravity",  "body",  "joint",      "force",      "torque"};
+    "schema",      "dimension", "name",  "source",   "note",  "reciprocal", "parameters", "assume", "realisable",
+    "definitions", "angles",    "load",  "unknowns", "units", "motion",     "equations",  "energy", "contact",
+    "friction",    "link",      "shape", "gravity",  "body",  "joint",      "force",      "torque"};
 
 /// 2 if it is left out.
 std::size_t read_dimension(const TableReader& root) {
@@ -171,7 +171,8 @@ void read_root(const TableReader& root, Context& context, std::optional<BodyGeom
     geometry = derive_mechanism(bodies, mechanism, context.mistakes);
     mechanism.bodies = std::make_shared<const Bodies>(std::move(bodies));
   } else {
-    if (mechanism.dimension == 3) root.require("body", "bodies, from which the equations of a mechanism in space follow");
+    if (mechanism.dimension == 3)
+      root.require("body", "bodies, from which the equations of a mechanism in space follow");
     for (const std::string_view key : {"gravity", "joint", "force", "torque"}) {
       if (root.has(key))
         root.refuse(key, "found without [[body]], expected bodies beside it, or [motion] in its place");

@@ -81,8 +81,8 @@ void check_whole(Context& context);
 /// mistakes.
 void check_domain(Context& context);
 
-/// "rest", "slides+", "slides-", "open", in space "rest", "slides", "open"; nothing, and a report "KEY: found ..." at the
-/// place, for anything else and for what the element cannot be.
+/// "rest", "slides+", "slides-", "open", in space "rest", "slides", "open"; nothing, and a report "KEY: found ..." at
+/// the place, for anything else and for what the element cannot be.
 std::optional<ElementKind::Start> read_start(std::string_view text, std::string_view key, Place place,
                                              const ElementKind& kind, std::size_t dimension, Mistakes& mistakes);
 

@@ -45,7 +45,11 @@ class SpaceText {
 
   void write(Document& document, const SpaceMotion& motion) const {
     Document& below = document.section(mode_of(motion) + (motion.strict ? "  (strict)" : ""));
-    if (!motion.unique) below.line("one of a continuum of motions that are near or move differently");
+    if (motion.others_within) {
+      below.line("others may be near, whose gaps and slips differ by at most " + number_text(*motion.others_within, 2));
+    } else if (!motion.unique) {
+      below.line("one of a continuum of motions");
+    }
     if (motion.open_directions > 0) {
       below.line("forces are open along " + counted(motion.open_directions, "direction") + ": these are some of them");
     }
@@ -100,6 +104,7 @@ Json motion_json(const Mechanism& m, const SpaceMotion& motion) {
           {"forces", std::move(forces)},
           {"exists", motion.exists},
           {"unique", motion.unique},
+          {"others_within", to_json(motion.others_within)},
           {"open_directions", motion.open_directions},
           {"status", motion.strict ? "strict" : "boundary"}};
 }

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "contact/space/solve_space.hpp"
+#include "contact/space/solved_space.hpp"
 #include "report/document/document.hpp"
 
 namespace slipproof {

@@ -17,7 +17,7 @@ using imported::Vector;
 
 namespace {
 
-imported::Scene ground() {
+imported::Scene on_the_ground() {
   imported::Scene scene;
   scene.format = "test";
   scene.gravity = Vector{0, 0, -10};
@@ -61,7 +61,7 @@ bool has(const std::vector<Vector>& all, const Vector& one) {
 }  // namespace
 
 TEST_CASE("a box on the ground touches with four corners") {
-  imported::Scene scene = ground();
+  imported::Scene scene = on_the_ground();
   scene.bodies.push_back(body(box("crate", {1, 2, 3}, {1, 2, 3})));
   imported::TouchOptions options;
   options.ground = 0;
@@ -80,7 +80,7 @@ TEST_CASE("a box on the ground touches with four corners") {
 }
 
 TEST_CASE("crossed beams touch in the corners of a square where no corner of a beam is") {
-  imported::Scene scene = ground();
+  imported::Scene scene = on_the_ground();
   scene.bodies.push_back(body(box("lower", {0, 0, 0}, {5, 1, 1})));
   scene.bodies.push_back(body(box("upper", {0, 0, 2}, {1, 5, 1})));
   const auto found = places(scene);
@@ -91,7 +91,7 @@ TEST_CASE("crossed beams touch in the corners of a square where no corner of a b
 }
 
 TEST_CASE("a box turned by 3-4-5 on a box touches in eight points, a corner of which is on no edge") {
-  imported::Scene scene = ground();
+  imported::Scene scene = on_the_ground();
   scene.bodies.push_back(body(box("lower", {0, 0, 0}, {1, 1, 1})));
   Shape turned = box("upper", {0, 0, 2}, {1, 1, 1});
   turned.pose.turn.axes = {Vector{Rational(3, 5), Rational(4, 5), 0}, Vector{Rational(-4, 5), Rational(3, 5), 0},
@@ -107,7 +107,7 @@ TEST_CASE("a box turned by 3-4-5 on a box touches in eight points, a corner of w
 }
 
 TEST_CASE("what is farther apart than the touch does not touch, what is inside is refused") {
-  imported::Scene scene = ground();
+  imported::Scene scene = on_the_ground();
   scene.bodies.push_back(body(box("a", {0, 0, 0}, {1, 1, 1})));
   scene.bodies.push_back(body(box("b", {0, 0, Rational(201, 100)}, {1, 1, 1})));
   CHECK(places(scene).empty());
@@ -119,7 +119,7 @@ TEST_CASE("what is farther apart than the touch does not touch, what is inside i
 }
 
 TEST_CASE("a cylinder that stands touches with four points of its rim, one that lies with two") {
-  imported::Scene scene = ground();
+  imported::Scene scene = on_the_ground();
   Shape cylinder = box("drum", {0, 0, 1}, {});
   cylinder.kind = Shape::Kind::cylinder;
   cylinder.radius = 3;

@@ -23,8 +23,7 @@ Exit answer_in_space(const SolveArguments& arguments, MechanismScene scene) {
   const SolvedSpace solved = solve_space(std::move(scene));
   print_warnings(solved.scene, arguments.common);
   print_report(
-      arguments.common, [&] { return space_json(solved); },
-      [&] { return space_document(solved, arguments.digits); });
+      arguments.common, [&] { return space_json(solved); }, [&] { return space_document(solved, arguments.digits); });
   return solved.complete() ? success : undecided;
 }
 
@@ -49,9 +48,7 @@ void add_solve(CLI::App& app, int& exit_code) {
   command.add_option("SCENE", options->scene, "Scene file (TOML)")->required();
   add_digits_option(command, options->digits);
   add_report_options(command, options->common);
-  command.callback([options, &exit_code] {
-    exit_code = answer(*options);
-  });
+  command.callback([options, &exit_code] { exit_code = answer(*options); });
 }
 
 }  // namespace slipproof::cli

@@ -98,7 +98,8 @@ class BodySceneReader : public BodyParts {
     force.place = value.place;
     force.on = body_of(table, "on");
     force.at = vector(table, "at");
-    table.require("is", in_space() ? "the force, such as [\"0\", \"0\", \"-W\"]" : "the force, such as [\"0\", \"-W\"]");
+    table.require("is",
+                  in_space() ? "the force, such as [\"0\", \"0\", \"-W\"]" : "the force, such as [\"0\", \"-W\"]");
     force.is = vector(table, "is");
     force.follows = read_follows(table);
     if (table.has("back_on")) force.back_on = body_of(table, "back_on");

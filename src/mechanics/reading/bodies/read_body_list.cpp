@@ -285,9 +285,7 @@ class BodyListReader : public BodyParts {
       return table.refuse(key, "found " + std::string(kind_name(points->kind)) + ", expected an array of points");
     }
     for (const TomlValue& point : points->items) shape.points.push_back(vector(point, key));
-    const std::size_t needed = shape.kind == BodyShape::Kind::line   ? 2
-                               : shape.kind == BodyShape::Kind::hull ? 1
-                                                                     : 3;
+    const std::size_t needed = shape.kind == BodyShape::Kind::line ? 2 : shape.kind == BodyShape::Kind::hull ? 1 : 3;
     if (shape.points.size() < needed) {
       table.refuse(key, "found " + std::to_string(shape.points.size()) + " points, expected " + std::to_string(needed) +
                             " or more");

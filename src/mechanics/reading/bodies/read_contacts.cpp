@@ -13,12 +13,14 @@ class BodyContactReader : public BodyParts {
   using BodyParts::BodyParts;
 
   void read_contacts(const TableReader& root) {
-    for (const TomlValue* contact : tables(root, "contact", in_space() ? max_elements_in_space : max_elements)) read_contact(*contact);
+    for (const TomlValue* contact : tables(root, "contact", in_space() ? max_elements_in_space : max_elements))
+      read_contact(*contact);
   }
   void read_frictions(const TableReader& root) {
     if (in_space() && root.has("friction")) {
-      return root.refuse("friction", "found a friction element with a limit of its own, which only mechanisms in the "
-                                     "plane have, expected friction at contacts");
+      return root.refuse("friction",
+                         "found a friction element with a limit of its own, which only mechanisms in the "
+                         "plane have, expected friction at contacts");
     }
     for (const TomlValue* friction : tables(root, "friction", max_elements)) read_friction(*friction);
     for (BodyContact& contact : bodies_.contacts) add_rolling(contact);
@@ -32,8 +34,8 @@ class BodyContactReader : public BodyParts {
         "bilateral", "lift_needs", "state",    "slip_direction", "rolling_resistance",
         "names"};
     static constexpr std::array<std::string_view, 15> spatial{
-        "name",     "of",        "point",      "radius", "on",     "normal",  "through", "friction", "on_point",
-        "on_radius", "bilateral", "lift_needs", "state",  "tangent", "names"};
+        "name",     "of",        "point",     "radius",     "on",    "normal",  "through", "friction",
+        "on_point", "on_radius", "bilateral", "lift_needs", "state", "tangent", "names"};
     static constexpr std::array<std::string_view, 5> name_keys{"N", "S", "gap", "slip", "rolling"};
     const std::span<const std::string_view> keys =
         in_space() ? std::span<const std::string_view>(spatial) : std::span<const std::string_view>(in_plane);

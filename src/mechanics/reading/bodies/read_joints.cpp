@@ -16,7 +16,8 @@ class JointReader : public BodyParts {
   using BodyParts::BodyParts;
 
   void read(const TableReader& root) {
-    for (const TomlValue* joint : tables(root, "joint", in_space() ? max_elements_in_space : max_elements)) read_joint(*joint);
+    for (const TomlValue* joint : tables(root, "joint", in_space() ? max_elements_in_space : max_elements))
+      read_joint(*joint);
   }
 
   void add_links(BodyJoint& joint) {
@@ -59,8 +60,8 @@ class JointReader : public BodyParts {
 
  private:
   void read_joint(const TomlValue& value) {
-    static constexpr std::array<std::string_view, 14> all{"name",      "kind",   "between", "at",    "to",
-                                                          "axis",      "length", "force",   "ratio", "carrier",
+    static constexpr std::array<std::string_view, 14> all{"name",      "kind",   "between", "at",     "to",
+                                                          "axis",      "length", "force",   "ratio",  "carrier",
                                                           "one_sided", "state",  "names",   "to_axis"};
     const std::span<const std::string_view> keys(all.data(), in_space() ? 14 : 13);
     const TableReader table(value, "[[joint]]", keys, context_.mistakes);
@@ -81,8 +82,8 @@ class JointReader : public BodyParts {
     if (known) check_keys(table, joint);
     if (context_.sound) check_free(table, joint);
     static constexpr std::array<std::string_view, 5> in_plane{"x", "y", "turn", "across", "force"};
-    static constexpr std::array<std::string_view, 9> spatial{"x",       "y",     "z",     "across1", "across2",
-                                                             "turn1",   "turn2", "turn3", "force"};
+    static constexpr std::array<std::string_view, 9> spatial{"x",     "y",     "z",     "across1", "across2",
+                                                             "turn1", "turn2", "turn3", "force"};
     const std::span<const std::string_view> name_keys =
         in_space() ? std::span<const std::string_view>(spatial) : std::span<const std::string_view>(in_plane);
     const TableReader names = names_of(table, name_keys);
@@ -111,10 +112,10 @@ class JointReader : public BodyParts {
   }
 
   bool read_kind(const TableReader& table, BodyJoint& joint) {
-    const std::string found = context_.required(
-        table, "kind",
-        in_space() ? "ball, hinge, slider, cylindrical, universal, weld, rod, rope, spring or gear"
-                   : "pin, slider, weld, rod, rope, spring or gear");
+    const std::string found =
+        context_.required(table, "kind",
+                          in_space() ? "ball, hinge, slider, cylindrical, universal, weld, rod, rope, spring or gear"
+                                     : "pin, slider, weld, rod, rope, spring or gear");
     const auto kinds = joint_kinds_of(mechanism_.dimension);
     const auto word = std::ranges::find(joint_kinds, found);
     if (word == joint_kinds.end() || std::ranges::find(kinds, found) == kinds.end()) {

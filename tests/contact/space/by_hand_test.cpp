@@ -1,0 +1,176 @@
+// Scenes in space whose motion is worked out by hand.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "contact/space/solve_space.hpp"
+
+using namespace slipproof;
+
+namespace {
+
+std::string header(const std::string& gravity) {
+  return "schema = \"slipproof/mechanism/1\"\nname = \"by hand\"\ndimension = 3\ngravity = [\"0\", \"0\", \"" + gravity +
+         "\"]\n";
+}
+
+/// A scene all of which stands in numbers.
+SolvedSpace solved(const std::string& bodies) {
+  return solve_space(parse_scene(header("-10") + bodies, "by hand", Dimensions::any));
+}
+
+Range value(const SolvedSpace& solved, const std::string& name) {
+  REQUIRE(solved.complete());
+  REQUIRE(solved.motions.size() == 1);
+  const Mechanism& m = solved.scene.mechanism;
+  const SpaceMotion& motion = solved.motions.front();
+  const auto accelerations = acceleration_names(m), forces = force_names(m);
+  const auto a = std::ranges::find(accelerations, name), f = std::ranges::find(forces, name);
+  if (a != accelerations.end()) return motion.accelerations[static_cast<std::size_t>(a - accelerations.begin())];
+  REQUIRE_MESSAGE(f != forces.end(), name);
+  return motion.forces[static_cast<std::size_t>(f - forces.begin())].value();
+}
+bool is(const SolvedSpace& solved, const std::string& name, const Rational& expected) {
+  const Range range = value(solved, name);
+  return range.is_point() && *range.lower == expected;
+}
+bool contains(const SolvedSpace& solved, const std::string& name, const Rational& expected) {
+  const Range range = value(solved, name);
+  return *range.lower <= expected && expected <= *range.upper && *range.upper - *range.lower < Rational(1, 1'000'000);
+}
+
+/// A particle on a disc that turns about the z axis with the spin 2, at the distance 1 from it.
+std::string particle_on_disc(const std::string& velocity, const std::string& mu) {
+  return R"(
+[[body]]
+name = "disc"
+acceleration = ["0", "0", "0"]
+spin = ["0", "0", "2"]
+[[body]]
+name = "particle"
+mass = "3"
+turning = ["0", "0", "0"]
+spin = ["0", "0", "0"]
+at = ["1", "0", "0"]
+velocity = [)" +
+         velocity + R"(]
+[[contact]]
+name = "p"
+of = "particle"
+on = "disc"
+point = ["0", "0", "0"]
+normal = ["0", "0", "1"]
+through = ["0", "0", "0"]
+friction = ")" +
+         mu + "\"\n";
+}
+
+}  // namespace
+
+TEST_CASE("what rests on a turning disc follows it, or slips outwards") {
+  const SolvedSpace follows = solved(particle_on_disc(R"("0", "2", "0")", "1/2"));
+  CHECK(follows.motions.front().modes == std::vector<std::string>{"stick"});
+  CHECK(is(follows, "ax", -4));  // spin^2 r, below mu g = 5
+  CHECK(is(follows, "ay", 0));
+  CHECK(is(follows, "T1_p", -12));
+  const SolvedSpace slips = solved(particle_on_disc(R"("0", "2", "0")", "3/10"));
+  CHECK(slips.motions.front().modes == std::vector<std::string>{"slip"});
+  CHECK(contains(slips, "ax", -3));     // - mu g
+  CHECK(contains(slips, "slip_p", 1));  // 4 - 3
+  CHECK(contains(slips, "N_p", 30));
+  CHECK(contains(slips, "T1_p", -9));
+  REQUIRE(slips.motions.front().slips[0]);
+  CHECK(abs(*slips.motions.front().slips[0]->lower) < Rational(1, 1'000'000));
+}
+
+TEST_CASE("what slides on a turning disc feels Coriolis' force where it is seen from the disc") {
+  const SolvedSpace slides = solved(particle_on_disc(R"("7", "2", "0")", "3/10"));  // outwards, with 7
+  CHECK(is(slides, "ax", -3));
+  CHECK(is(slides, "ay", 0));
+  CHECK(is(slides, "slip_p", 1));      // spin^2 r - mu g
+  CHECK(is(slides, "slip2_p", -28));   // - 2 spin v
+  CHECK(is(slides, "T1_p", -9));
+  CHECK(is(slides, "T2_p", 0));
+}
+
+/// With the moment A about each axis across its own and C about it, and the distance 1 from the foot to the centre of
+/// mass: a regular precession P of a top whose axis makes the angle t with the vertical has
+/// C w P - (A + m) P^2 cos t = m g, where w is its spin along its axis, and turns all vectors with P.
+TEST_CASE("a spinning top precesses about its foot") {
+  const SolvedSpace top = solved(R"(
+[[body]]
+name = "top"
+mass = "1"
+inertia = ["3/2", "3/2", "2"]
+at = ["4/5", "0", "3/5"]
+turn = ["2", "0", "1", "0"]
+velocity = ["0", "4/5", "0"]
+spin = ["103/25", "0", "409/100"]
+[[contact]]
+name = "foot"
+of = "top"
+point = ["0", "0", "-1"]
+normal = ["0", "0", "1"]
+through = ["0", "0", "0"]
+friction = "1/2"
+)");
+  CHECK(top.motions.front().modes == std::vector<std::string>{"stick"});
+  CHECK(is(top, "ax", Rational(-4, 5)));
+  CHECK(is(top, "ay", 0));
+  CHECK(is(top, "az", 0));
+  CHECK(is(top, "alphax", 0));
+  CHECK(is(top, "alphay", Rational(103, 25)));
+  CHECK(is(top, "alphaz", 0));
+  CHECK(is(top, "N_foot", 10));
+}
+
+/// A x alpha = R T2 + (C - A) w P with T2 = -m R alpha: w is its rolling, P its turning about the vertical.
+TEST_CASE("a coin that rolls upright and is steered leans") {
+  const SolvedSpace coin = solved(R"(
+[[body]]
+name = "coin"
+mass = "1"
+inertia = ["1/4", "1/2", "1/4"]
+at = ["0", "0", "1"]
+velocity = ["5", "0", "0"]
+spin = ["0", "5", "1"]
+[[contact]]
+name = "edge"
+of = "coin"
+point = ["0", "0", "0"]
+radius = "1"
+normal = ["0", "0", "1"]
+through = ["0", "0", "0"]
+friction = "1/2"
+)");
+  CHECK(coin.motions.front().modes == std::vector<std::string>{"stick"});
+  CHECK(is(coin, "alphax", 1));
+  CHECK(is(coin, "ay", -1));
+  CHECK(is(coin, "T2_edge", -1));
+  CHECK(is(coin, "N_edge", 10));
+}
+
+/// A ball rolls on the outside of a fixed one: at the top with the speed v it is held by N = m g - m v^2/D.
+TEST_CASE("a ball that rolls over another is lighter") {
+  const SolvedSpace ball = solved(R"(
+[[body]]
+name = "ball"
+mass = "2"
+inertia = ["4/5", "4/5", "4/5"]
+at = ["0", "0", "3"]
+velocity = ["3", "4", "0"]
+spin = ["-4", "3", "7"]
+[[contact]]
+name = "top"
+of = "ball"
+point = ["0", "0", "0"]
+radius = "1"
+on_point = ["0", "0", "0"]
+on_radius = "2"
+friction = "1"
+)");
+  CHECK(ball.motions.front().modes == std::vector<std::string>{"stick"});
+  CHECK(is(ball, "az", Rational(-25, 3)));
+  CHECK(is(ball, "N_top", Rational(10, 3)));
+}
