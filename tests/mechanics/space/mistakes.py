@@ -14,11 +14,18 @@ from pathlib import Path
 HERE = Path(__file__).parent
 
 
-def said(program, file):
-    """All messages, as one line; empty if there are none. Of a scene those about its numbers, too."""
-    run = subprocess.run([program, "solve" if "scenes" in file.parts else "show", file], capture_output=True, text=True)
-    words = " ".join((run.stderr + run.stdout if run.returncode else run.stderr or run.stdout).split())
-    return words if run.returncode else words[words.find("warning: "):] if "warning: " in words else ""
+def said(program, cases, name):
+    """All messages on a file, as one line; empty if there are none. `show` tells those about a mechanism, `solve` those
+    about the numbers of its scene, too."""
+    scene = cases / f"{Path(name).name}.toml"
+    for command, file in (("show", cases / f"{name}.toml"), ("solve", scene)):
+        if command == "show" and file == scene:
+            continue
+        run = subprocess.run([program, command, file], capture_output=True, text=True)
+        words = " ".join((run.stderr + run.stdout).split())
+        if run.returncode or "warning: " in words:
+            return words if run.returncode else words[words.find("warning: "):]
+    return ""
 
 
 def spoiled(text, changes):
@@ -33,14 +40,14 @@ def main():
     rows = tomllib.loads((HERE / "mistakes.toml").read_text())["case"]
     wrong, missed = [], []
     for file in sorted({row["file"] for row in rows}):
-        if messages := said(program, cases / f"{file}.toml"):
+        if messages := said(program, cases, file):
             wrong.append(f"{file}, unchanged: {messages}")
     with tempfile.TemporaryDirectory() as folder:
-        shutil.copytree(cases, Path(folder) / "cases")
+        shutil.copytree(cases, copies := Path(folder) / "cases")
         for row in rows:
-            file = Path(folder) / "cases" / f"{row['file']}.toml"
+            file = copies / f"{row['file']}.toml"
             file.write_text(spoiled((cases / f"{row['file']}.toml").read_text(), row["change"]))
-            messages = said(program, file)
+            messages = said(program, copies, row["file"])
             shutil.copy(cases / f"{row['file']}.toml", file)
             if not messages:
                 missed.append(row["what"])
