@@ -49,7 +49,7 @@ std::vector<MechanismFinding> check_drawing(const CheckPoints& points);
 /// Checks inertias, centres of mass and contacts of bodies against the shapes of these.
 std::vector<MechanismFinding> check_solids(const CheckPoints& points);
 
-/// The same at one point, for mechanisms of bodies; of solids inertias, and densities.
+/// At one point, for mechanisms of bodies: surfaces and overlapping outlines; inertias, and densities.
 std::vector<MechanismFinding> check_drawing_at(const Mechanism& mechanism, const ProblemMaker& maker,
                                                const MechanismValues& values);
 std::vector<MechanismFinding> check_solids_at(const Mechanism& mechanism, const ProblemMaker& maker,

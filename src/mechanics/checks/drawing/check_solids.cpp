@@ -126,25 +126,27 @@ class SolidCheck {
     return scene_.dimension == 3 ? std::string("about ") + axis_names[axis] + " " : std::string();
   }
 
-  /// Two moments of which always that one is less which is much more of a homogeneous box of its size.
+  /// Two moments of which always that one is less which is twice as large or more of a homogeneous box of its size.
   template <class Report>
   void order(std::size_t body, const Report& report) {
     const PlacedInertia& given = scene_.bodies[body].inertia;
+    const auto against = [&](std::size_t less, std::size_t more) {
+      std::size_t count = 0;
+      for (Drawing& d : drawings_) {
+        const auto box = d.own_box(body);
+        const Rational one = of_box(*box, less), other = of_box(*box, more);
+        if (one < 2 * other && other < 2 * one) continue;
+        if (d.number(given.at(less, less)) >= d.number(given.at(more, more)) || one < other) return false;
+        ++count;
+      }
+      return count >= CheckPoints::needed;
+    };
     for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t k = 0; k < i; ++k) {
-        std::size_t against = 0, for_it = 0;
-        for (Drawing& d : drawings_) {
-          const auto box = d.own_box(body);
-          const Rational one = of_box(*box, k), other = of_box(*box, i);
-          if (one < 2 * other && other < 2 * one) continue;
-          const bool less = d.number(given.at(k, k)) < d.number(given.at(i, i));
-          ++(less == (one < other) ? for_it : against);
-        }
-        if (for_it > 0 || against < CheckPoints::needed) continue;
-        report(std::string("found the smaller moment of inertia about ") + axis_names[k] +
-               " where its shape has the larger one, "
-               "or about " +
-               axis_names[i] + ", expected them in the order of its axes");
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (i == k || !against(i, k)) continue;
+        report(std::string("found a smaller moment of inertia about ") + axis_names[i] + " than about " +
+               axis_names[k] +
+               ", where a box of its size has one twice as large or more, expected them in the order xx yy zz");
         return;
       }
     }
