@@ -73,7 +73,8 @@ def wheel():
     text = 'schema = "slipproof/mechanism/1"\nname = "wheel"\ndimension = 3\ngravity = ["0", "0", "-10"]\n'
     text += body("wheel", m, (A, C, A), (0, 0, R), (v, 0, 0), (0, w, W))
     text += body("stand", M, (1, 1, 1), (0, 0, R), (v, 0, 0), (0, 0, W))
-    text += '[[joint]]\nname = "axle"\nkind = "hinge"\nbetween = ["stand", "wheel"]\nat = ["0", "0", "0"]\naxis = ["0", "1", "0"]\n'
+    text += ('[[joint]]\nname = "axle"\nkind = "hinge"\nbetween = ["stand", "wheel"]\nat = ["0", "0", "0"]\n'
+             'axis = ["0", "1", "0"]\n')
     text += contact("tyre", "wheel", (0, 0, 0), R, 1) + contact("foot", "stand", (0, -d, -R))
     aside = (M + m) * v * W
     foot = (C * w * W + R * aside) / d

@@ -120,7 +120,8 @@ class System:
         wheels = [self.rng.choice(free), second] if free else [second]
         for body, along in zip(wheels, axes):
             at = self.draw.vector()
-            self.elements.append(Joint(self.name("hinge"), "hinge", carrier, body, at, body.to_own(carrier.to_scene(at)), along))
+            to = body.to_own(carrier.to_scene(at))
+            self.elements.append(Joint(self.name("hinge"), "hinge", carrier, body, at, to, along))
         if free:
             ratio = self.draw.number(1, 3) * self.rng.choice((1, -1))
             self.elements.append(Gear(self.name("gear"), wheels[0], second, carrier, axes, ratio))

@@ -88,7 +88,8 @@ class Joint(Element):
             self.links += columns_differ(first, second)
         if kind == "universal":
             self.links.append(Place(lambda m: m.direction(first, axis).dot(m.direction(second, other_axis))))
-        self.text = f'[[joint]]\nname = "{name}"\nkind = "{kind}"\nbetween = ["{first.name}", "{second.name}"]\nat = {texts(at)}\n'
+        self.text = (f'[[joint]]\nname = "{name}"\nkind = "{kind}"\nbetween = ["{first.name}", "{second.name}"]\n'
+                     f'at = {texts(at)}\n')
         self.text += f"to = {texts(to)}\n" if write_to else ""
         self.text += f"axis = {texts(axis)}\n" if axis is not None else ""
         self.text += f"to_axis = {texts(other_axis)}\n" if other_axis is not None else ""

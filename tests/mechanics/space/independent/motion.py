@@ -101,7 +101,10 @@ def unit(k, sort):
 
 def work_row(function, bodies, among, speed):
     """Over the unknowns: the speed of a function in each unit velocity. `among`: the bodies that it depends on."""
-    return [Fraction(speed(function(Motion({b.name: unit(k, "velocity")}))) if b in among else 0) for b, k in unknowns(bodies)]
+    def moved(body, k):
+        return speed(function(Motion({body.name: unit(k, "velocity")})))
+
+    return [Fraction(moved(b, k) if b in among else 0) for b, k in unknowns(bodies)]
 
 
 def acceleration_row(function, bodies, among, derivative):
