@@ -1,17 +1,37 @@
 #include "faces/cli/warnings.hpp"
 
+#include <algorithm>
 #include <iostream>
+#include <iterator>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "mechanics/checks/checks.hpp"
 
 namespace slipproof::cli {
 
-void print_warnings(const Mechanism& mechanism, const CommonOptions& common) {
-  if (common.quiet || mechanism.shipped) return;
-  for (const MechanismFinding& finding : check_mechanism(mechanism)) {
-    if (finding.checkable) std::cerr << to_string(mechanism, finding) << '\n';
+namespace {
+
+void print_findings(const Mechanism& mechanism, const std::vector<MechanismFinding>& findings) {
+  std::set<std::string> told;
+  for (const MechanismFinding& finding : findings) {
+    const std::string text = to_string(mechanism, finding);
+    if (finding.checkable && told.insert(text).second) std::cerr << text << '\n';
   }
+}
+
+}  // namespace
+
+void print_warnings(const Mechanism& mechanism, const CommonOptions& common) {
+  if (!common.quiet && !mechanism.shipped) print_findings(mechanism, check_mechanism(mechanism));
+}
+
+void print_warnings(const MechanismScene& scene, const CommonOptions& common) {
+  if (common.quiet || scene.mechanism.shipped) return;
+  std::vector<MechanismFinding> findings = check_mechanism(scene.mechanism);
+  std::ranges::move(check_numbers(scene), std::back_inserter(findings));
+  print_findings(scene.mechanism, findings);
 }
 
 void print_warnings(const ClaimsFile& claims, const CommonOptions& common) {

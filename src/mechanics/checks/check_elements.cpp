@@ -41,7 +41,7 @@ class ElementCheck {
       check_friction(element, "limit", friction.static_limit, friction.kinetic_limit);
     }
     check_links();
-    check_directions();
+    if (m_.dimension == 2) check_directions();
     return std::move(findings_);
   }
 
@@ -156,7 +156,9 @@ class ElementCheck {
 
   void check_links() {
     if (m_.links.empty()) return;
-    for (std::size_t count = 1; count <= m_.links.size(); ++count) {
+    const auto fit = [&](const CheckPoint& point) { return !contradict(point.problem, m_.links.size()); };
+    const std::size_t first = std::ranges::all_of(points_.all(), fit) ? m_.links.size() + 1 : 1;
+    for (std::size_t count = first; count <= m_.links.size(); ++count) {
       for (const CheckPoint& point : points_.all()) {
         if (!contradict(point.problem, count)) continue;
         const Quantity quantity = [&](const CheckPoint& there) {

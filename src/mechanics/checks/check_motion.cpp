@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include "base/number/format.hpp"
 #include "mechanics/bodies/bodies.hpp"
 #include "mechanics/checks/check_parts.hpp"
 #include "mechanics/checks/free_motion.hpp"
+#include "mechanics/mechanism/algebra.hpp"
 
 namespace slipproof::mechanism_checks {
 
@@ -43,11 +45,12 @@ bool rests(const MechanismContact& contact) {
   return contact.start == ElementKind::Start::rest && !contact.bilateral;
 }
 
-/// Whether the gravity of bodies points up at all points, as the y axis of their scene does.
+/// Whether the gravity of bodies points up at all points, as the y axis of their scene does, in space the z axis.
 bool gravity_points_up(const CheckPoints& points) {
   const auto& bodies = points.mechanism().bodies;
   if (!bodies || !bodies->gravity) return false;
-  const Program up = points.maker().compiled().compile(bodies->gravity.y.expression);
+  const PlacedExpression& upward = bodies->dimension == 3 ? bodies->gravity.z : bodies->gravity.y;
+  const Program up = points.maker().compiled().compile(upward.expression);
   return std::ranges::all_of(points.all(), [&](const CheckPoint& point) {
     const auto value = points.maker().at(point.values).number(up);
     return value.number && *value.number > 0;
@@ -57,14 +60,15 @@ bool gravity_points_up(const CheckPoints& points) {
 /// Whether bodies say that gravity need not press on the contact: it is along the surface, or springs may lift.
 bool gravity_passes_by(const CheckPoints& points, const CheckPoint& point, const MechanismContact& contact) {
   const auto& bodies = points.mechanism().bodies;
-  if (!bodies || !bodies->gravity || contact.direction.size() != 2) return false;
+  if (!bodies || !bodies->gravity || contact.direction.empty()) return false;
   if (std::ranges::any_of(bodies->joints, [](const auto& one) { return one.kind == BodyJoint::Kind::spring; }))
     return true;
-  const auto part = [&](const PlacedExpression& normal, const PlacedExpression& gravity) {
-    return make(Operation::multiply, {normal.expression, gravity.expression});
-  };
-  const Expression pressing = make(
-      Operation::add, {part(contact.direction[0], bodies->gravity.x), part(contact.direction[1], bodies->gravity.y)});
+  const std::array gravity{&bodies->gravity.x, &bodies->gravity.y, &bodies->gravity.z};
+  Expression pressing = zero_literal();
+  for (std::size_t i = 0; i < contact.direction.size(); ++i) {
+    const Expression part = make(Operation::multiply, {contact.direction[i].expression, gravity[i]->expression});
+    pressing = make(Operation::add, {pressing, part});
+  }
   const auto value = points.maker().at(point.values).number(points.maker().compiled().compile(pressing));
   return value.number && value.number->is_zero();
 }
@@ -124,8 +128,10 @@ std::vector<MechanismFinding> check_reciprocity(const CheckPoints& points) {
 std::vector<MechanismFinding> check_gravity(const CheckPoints& points) {
   const Mechanism& mechanism = points.mechanism();
   if (gravity_points_up(points)) {
+    const bool space = mechanism.dimension == 3;
     return {warning(Check::gravity, mechanism.bodies->gravity.place,
-                    "gravity points up: y counts upwards, expected a vector such as [\"0\", \"-g\"]")};
+                    std::string("gravity points up: ") + (space ? "z" : "y") +
+                        " counts upwards, expected a vector such as [\"0\", " + (space ? "\"0\", " : "") + "\"-g\"]")};
   }
   if (std::ranges::none_of(mechanism.contacts, rests)) return {};
   std::size_t count = 0;

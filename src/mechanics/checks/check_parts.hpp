@@ -42,9 +42,18 @@ std::vector<MechanismFinding> check_elements(const CheckPoints& points);
 /// shift of the axes, and a factor for each contact, they are those of points of a rigid body.
 std::vector<MechanismFinding> check_geometry(const CheckPoints& points);
 
-/// Checks the geometry of bodies: contacts at one place, normals into the wrong body, pins and forces outside their
+/// Checks the geometry of bodies: contacts at one place, normals into the wrong body, joints and forces outside their
 /// bodies, gravity along the surface, overlapping outlines.
 std::vector<MechanismFinding> check_drawing(const CheckPoints& points);
+
+/// Checks inertias, centres of mass and contacts of bodies against the shapes of these.
+std::vector<MechanismFinding> check_solids(const CheckPoints& points);
+
+/// At one point, for mechanisms of bodies: surfaces and overlapping outlines; inertias, and densities.
+std::vector<MechanismFinding> check_drawing_at(const Mechanism& mechanism, const ProblemMaker& maker,
+                                               const MechanismValues& values);
+std::vector<MechanismFinding> check_solids_at(const Mechanism& mechanism, const ProblemMaker& maker,
+                                              const MechanismValues& values);
 
 /// Parameters, angles, definitions and loads that occur nowhere else.
 std::vector<MechanismFinding> check_names(const Mechanism& mechanism);

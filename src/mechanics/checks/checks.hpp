@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mechanics/mechanism/mechanism.hpp"
+#include "mechanics/scene/scene.hpp"
 
 namespace slipproof {
 
@@ -22,5 +22,9 @@ std::string to_string(const Mechanism& mechanism, const MechanismFinding& findin
 
 /// Runs all checks at sampled points of the domain, at least four. A correct mechanism has no finding.
 std::vector<MechanismFinding> check_mechanism(const Mechanism& mechanism);
+
+/// What is suspicious at the numbers of a scene: its drawing, and masses and inertias that its shapes cannot have.
+/// Findings of check_mechanism() may be among these.
+std::vector<MechanismFinding> check_numbers(const MechanismScene& scene);
 
 }  // namespace slipproof

@@ -78,7 +78,7 @@ std::string figure_of_motions(MechanismScene scene, const DrawArguments& argumen
 }
 
 std::string figure_of(MechanismScene scene, const DrawArguments& arguments) {
-  print_warnings(scene.mechanism, arguments.common);
+  print_warnings(scene, arguments.common);
   if (!arguments.load.empty()) {
     if (!scene.mechanism.load) refuse(arguments, "found --load, but the mechanism has no load");
     try {

@@ -21,7 +21,7 @@ struct SolveArguments {
 
 Exit answer_in_space(const SolveArguments& arguments, MechanismScene scene) {
   const SolvedSpace solved = solve_space(std::move(scene));
-  print_warnings(solved.scene.mechanism, arguments.common);
+  print_warnings(solved.scene, arguments.common);
   print_report(
       arguments.common, [&] { return space_json(solved); }, [&] { return space_document(solved, arguments.digits); });
   return solved.complete() ? success : undecided;
@@ -31,7 +31,7 @@ Exit answer(const SolveArguments& arguments) {
   MechanismScene scene = read_scene(arguments.scene, Dimensions::any);
   if (scene.mechanism.dimension == 3) return answer_in_space(arguments, std::move(scene));
   const SolvedMechanism solved = solve_mechanism(std::move(scene));
-  print_warnings(solved.scene.mechanism, arguments.common);
+  print_warnings(solved.scene, arguments.common);
   const auto every_q = for_every_push(solved.problem);
   print_report(
       arguments.common, [&] { return solve_json(solved, every_q); },
