@@ -291,7 +291,7 @@ class SdfReader {
 
 }  // namespace
 
-void read_sdf(TaggedFile& file, Scene& scene, Mistakes& mistakes) {
+void read_sdf(TaggedFile& file, const ReadOptions&, Scene& scene, Mistakes& mistakes) {
   scene.format = "SDF";
   scene.rule = FrictionRule::least;
   const bool has_ground_plane = take_known_includes(file, mistakes);
@@ -318,7 +318,7 @@ void read_sdf(TaggedFile& file, Scene& scene, Mistakes& mistakes) {
 
 namespace slipproof::imported {
 
-void read_sdf(TaggedFile& file, Scene&, Mistakes& mistakes) {
+void read_sdf(TaggedFile& file, const ReadOptions&, Scene&, Mistakes& mistakes) {
   mistakes.add(file.place(file.root()), "found SDF, which this program was built without: it needs libsdformat-dev");
 }
 

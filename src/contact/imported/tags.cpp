@@ -32,6 +32,7 @@ TaggedFile::TaggedFile(std::string text, std::string file) : text_(std::move(tex
 }
 
 std::vector<std::string> TaggedFile::check(const Tags& tags, Mistakes& mistakes) {
+  left_out_.clear();
   check(root(), tags, mistakes);
   std::vector<std::string> import_notes;
   for (const auto& [tag, lines] : left_out_) {
@@ -49,7 +50,7 @@ void TaggedFile::check(pugi::xml_node node, const Tags& tags, Mistakes& mistakes
     if (has(tags.left_out, tag)) {
       left_out_[std::string(tag)].push_back(place(child).line);
       node.remove_child(child);
-    } else if (has(tags.read, tag)) {
+    } else if (tags.reads_all_others || has(tags.read, tag)) {
       check(child, tags, mistakes);
     } else {
       mistakes.add(place(child), "found <" + std::string(tag) + "> in <" + node.name() +

@@ -17,6 +17,7 @@ struct Tags {
   std::vector<std::string_view> read;  ///< tags that are read, with their contents
   /// Tags that are ignored, with their contents: pictures, sensors, names of materials.
   std::vector<std::string_view> left_out;
+  bool reads_all_others = false;  ///< the format's own parser refuses what it does not know
 };
 
 class TaggedFile {

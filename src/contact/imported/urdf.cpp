@@ -152,7 +152,7 @@ class UrdfReader {
 
 }  // namespace
 
-void read_urdf(TaggedFile& file, Scene& scene, Mistakes& mistakes) {
+void read_urdf(TaggedFile& file, const ReadOptions&, Scene& scene, Mistakes& mistakes) {
   scene.format = "URDF";
   scene.import_notes = file.check(tags, mistakes);
   if (!mistakes.empty()) return;
@@ -171,7 +171,7 @@ void read_urdf(TaggedFile& file, Scene& scene, Mistakes& mistakes) {
 
 namespace slipproof::imported {
 
-void read_urdf(TaggedFile& file, Scene&, Mistakes& mistakes) {
+void read_urdf(TaggedFile& file, const ReadOptions&, Scene&, Mistakes& mistakes) {
   mistakes.add(file.place(file.root()), "found URDF, which this program was built without: it needs liburdfdom-dev");
 }
 
