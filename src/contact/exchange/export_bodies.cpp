@@ -63,14 +63,14 @@ class BodiesExporter {
     return binary64(*value.number, place);
   }
   Json number(const PlacedExpression& placed) { return number(unplaced(placed), placed.place()); }
-  Json pair(const PlanarVector& vector, Place place) {
+  Json pair(const SceneVector& vector, Place place) {
     return Json::array({number(vector.x, place), number(vector.y, place)});
   }
-  Json pair(const PlacedPair& given) { return pair(unplaced(given), given.place); }
+  Json pair(const PlacedVector& given) { return pair(unplaced(given), given.place); }
   void put(Json& object, const char* key, const PlacedExpression& given) {
     if (given) object[key] = number(given);
   }
-  void put(Json& object, const char* key, const PlacedPair& given) {
+  void put(Json& object, const char* key, const PlacedVector& given) {
     if (given) object[key] = pair(given);
   }
   const std::string& body_name(std::size_t index) const { return bodies_.bodies[index].name; }
@@ -80,23 +80,23 @@ class BodiesExporter {
     Json entry{{"name", body.name}};
     const Frame frame(body);
     put(entry, "mass", body.mass);
-    put(entry, "inertia", body.inertia);
+    put(entry, "inertia", body.inertia.entries[2]);
     if (body.is_prescribed()) entry["acceleration"] = pair(frame.acceleration, body.place);
-    if (!body.inertia) entry["turning"] = number(frame.turning, body.place);
+    if (!body.inertia) entry["turning"] = number(frame.turning.z, body.place);
     entry["at"] = pair(frame.at, body.at.place);
-    entry["angle"] = pair({frame.cosine, frame.sine}, body.place);
+    entry["angle"] = pair({frame.turn.entry(0, 0), frame.turn.entry(1, 0)}, body.place);
     entry["velocity"] = pair(frame.velocity, body.velocity.place);
-    entry["spin"] = number(frame.spin, body.spin.place());
+    entry["spin"] = number(frame.spin.z, body.place);
     entry["shapes"] = list(body.shapes, &BodiesExporter::shape);
     entry["unknowns"] = Json::array();
-    for (const Body::Unknown* one : {&body.ax, &body.ay, &body.alpha}) {
-      if (!one->symbol.empty()) entry["unknowns"].push_back({one->symbol, one->negated ? -1 : 1});
+    for (const Body::Unknown& one : body.unknowns) {
+      if (!one.symbol.empty()) entry["unknowns"].push_back({one.symbol, one.negated ? -1 : 1});
     }
     return entry;
   }
 
   Json shape(const BodyShape& shape) {
-    const PlanarVector centre = shape.points.empty() ? unplaced(PlacedPair{}) : unplaced(shape.points.front());
+    const SceneVector centre = shape.points.empty() ? unplaced(PlacedVector{}) : unplaced(shape.points.front());
     if (shape.kind == BodyShape::Kind::circle) {
       return {{"circle", number(shape.radius)}, {"at", pair(centre, shape.place)}};
     }
@@ -105,11 +105,11 @@ class BodiesExporter {
       const Expression x = over(unplaced(shape.width), make_number(2)),
                        y = over(unplaced(shape.height), make_number(2));
       const Expression left = negative_of(x), low = negative_of(y);
-      for (const PlanarVector& corner : {PlanarVector{left, low}, {x, low}, {x, y}, {left, y}}) {
+      for (const SceneVector& corner : {SceneVector{left, low}, {x, low}, {x, y}, {left, y}}) {
         points.push_back(pair(centre + corner, shape.place));
       }
     } else {
-      for (const PlacedPair& point : shape.points) points.push_back(pair(point));
+      for (const PlacedVector& point : shape.points) points.push_back(pair(point));
     }
     return {{shape.kind == BodyShape::Kind::line ? "line" : "polygon", std::move(points)}};
   }
@@ -154,8 +154,8 @@ class BodiesExporter {
       entry["one_sided"] = joint.contact.has_value();
     } else {
       const Frame &first = frames_[joint.first], &second = frames_[joint.second];
-      const PlanarVector at = unplaced(joint.at);
-      const PlanarVector same_place = second.in_body(first.at + first.in_scene(at) - second.at);
+      const SceneVector at = unplaced(joint.at);
+      const SceneVector same_place = second.in_body(first.at + first.in_scene(at) - second.at);
       entry["at"] = pair(at, joint.place);
       entry["to"] = joint.to ? pair(joint.to) : pair(same_place, joint.place);
     }
@@ -194,8 +194,8 @@ class BodiesExporter {
     document["forces"] = Json::array();
     for (const BodyForce& force : bodies_.forces) {
       const Frame& frame = frames_[force.on];
-      const PlanarVector at = unplaced(force.at), given = unplaced(force.is);
-      const PlanarVector is = force.follows ? frame.in_scene(given) : given;
+      const SceneVector at = unplaced(force.at), given = unplaced(force.is);
+      const SceneVector is = force.follows ? frame.in_scene(given) : given;
       put_force(document, force.on, at, is, force.place);
       if (!force.back_on) continue;
       const Frame& back = frames_[*force.back_on];
@@ -203,19 +203,19 @@ class BodiesExporter {
     }
     document["torques"] = Json::array();
     for (const BodyTorque& torque : bodies_.torques) {
-      const Expression is = unplaced(torque.is);
+      const Expression is = unplaced(torque.is).z;
       put_torque(document, torque.on, is, torque.place);
       if (torque.back_on) put_torque(document, *torque.back_on, negative_of(is), torque.place);
     }
   }
 
   /// Nothing for what is prescribed, the ground among it: no force moves that.
-  void put_force(Json& document, std::size_t on, const PlanarVector& at, const PlanarVector& is, Place place) {
+  void put_force(Json& document, std::size_t on, const SceneVector& at, const SceneVector& is, Place place) {
     if (bodies_.bodies[on].is_prescribed()) return;
     document["forces"].push_back({{"on", body_name(on)}, {"at", pair(at, place)}, {"is", pair(is, place)}});
   }
   void put_torque(Json& document, std::size_t on, const Expression& is, Place place) {
-    if (bodies_.bodies[on].alpha.symbol.empty()) return;
+    if (!bodies_.bodies[on].turns_freely()) return;
     document["torques"].push_back({{"on", body_name(on)}, {"is", number(is, place)}});
   }
 

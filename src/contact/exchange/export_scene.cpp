@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "contact/problem/every_load.hpp"
+#include "contact/space/space_problem.hpp"
 #include "mechanics/points/problem.hpp"
 
 namespace slipproof {
@@ -152,6 +153,7 @@ class Exporter {
 }  // namespace
 
 GlobalProblem global_problem(const MechanismScene& scene) {
+  if (scene.mechanism.dimension == 3) return exported(space_problem(scene), scene.mechanism);
   return Exporter(scene).problem();
 }
 

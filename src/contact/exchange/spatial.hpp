@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/exchange/global_problem.hpp"
+#include "contact/problem/global_problem.hpp"
 #include "contact/exchange/touch.hpp"
 
 namespace slipproof::imported {

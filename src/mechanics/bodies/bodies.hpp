@@ -1,13 +1,16 @@
 // A scene as one draws it: bodies, points, joints, surfaces and forces, from which the equations of a mechanism follow.
 //
 // Coordinates are expressions in parameters, definitions and the symbols of angles: x to the right, y up, turns
-// counterclockwise. "In the body's axes" means from its centre of mass, along axes that turn with it.
+// counterclockwise; in space x to the right, y away, z up. "In the body's axes" means from its centre of mass, along axes that turn with it.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,20 +19,31 @@
 
 namespace slipproof {
 
-/// Two coordinates; null where the file leaves them out.
-struct PlacedPair {
-  PlacedExpression x, y;
+/// Two coordinates, in space three; null where the file leaves them out. Turns in the plane have z alone.
+struct PlacedVector {
+  PlacedExpression x, y, z;
   Place place;
 
-  explicit operator bool() const { return x && y; }
+  explicit operator bool() const { return x || y || z; }
+};
+
+/// About the centre of mass, in the body's axes. In the plane zz alone.
+struct PlacedInertia {
+  std::array<PlacedExpression, 6> entries;  ///< xx yy zz xy xz yz
+
+  explicit operator bool() const { return static_cast<bool>(entries[2]); }
+  Place place() const { return (entries[0] ? entries[0] : entries[2]).place(); }
+  /// Null: 0.
+  const PlacedExpression& at(std::size_t i, std::size_t j) const { return entries[i == j ? i : i + j + 2]; }
 };
 
 /// An outline of a body, in the axes of the body.
 struct BodyShape {
-  enum class Kind : std::uint8_t { polygon, line, box, circle };
+  enum class Kind : std::uint8_t { polygon, line, box, circle, sphere, cylinder, capsule, hull };
   Kind kind = Kind::polygon;
-  std::vector<PlacedPair> points;  ///< vertices of a polygon or a line; the centre of a box or a circle, if given
-  PlacedExpression width, height, radius;  ///< width and height of a box; radius of a circle
+  std::vector<PlacedVector> points;  ///< vertices of a polygon, line or hull; the centre of others, if given
+  PlacedVector axis;                 ///< of a cylinder or capsule; along z if left out
+  PlacedExpression width, depth, height, radius;  ///< of a box; of what is round, with the height of its straight part
   Place place;
 };
 
@@ -41,35 +55,41 @@ struct Body {
     Place place;
   };
   std::string name;
-  PlacedExpression mass, inertia;  ///< null: its motion, or its turning, is prescribed
-  PlacedPair at;                   ///< the centre of mass; the origin if left out
-  PlacedExpression cosine, sine;   ///< cosine and sine of the angle of its axes; null: along x and y
-  PlacedPair velocity;             ///< velocity of the centre of mass; 0 if left out
-  PlacedExpression spin;
-  PlacedPair acceleration;   ///< prescribed, of `at`
-  PlacedExpression turning;  ///< prescribed angular acceleration
-  Unknown ax, ay, alpha;     ///< without a symbol if prescribed
+  PlacedExpression mass;           ///< null: its motion is prescribed
+  PlacedInertia inertia;           ///< none: its turning is prescribed
+  PlacedVector at;                 ///< the centre of mass; the origin if left out
+  PlacedExpression cosine, sine;   ///< of the angle of its axes; null: along those of the scene
+  PlacedVector turn_axis;          ///< in space: the axis of that angle
+  std::array<PlacedExpression, 4> quaternion;  ///< in space, instead: w x y z, of any length but 0
+  PlacedVector velocity;           ///< of the centre of mass; 0 if left out
+  PlacedVector spin;               ///< in the axes of the scene
+  PlacedVector acceleration;       ///< prescribed, of `at`
+  PlacedVector turning;            ///< prescribed angular acceleration
+  /// Accelerations along x, y, z, then turnings about them; without a symbol: prescribed, or not in the plane.
+  std::array<Unknown, 6> unknowns;
   std::vector<BodyShape> shapes;
   Place place;
 
   bool is_prescribed() const { return !mass; }
+  bool turns_freely() const { return static_cast<bool>(inertia); }
 };
 
 /// The body that is always there, at rest, with the axes of the scene: the first of all.
 inline constexpr std::size_t ground = 0;
 
-/// A point, or a disc around it, on a line or a disc of another body.
+/// A point, or a disc around it, on a line or a disc of another body. In space discs are spheres, and lines planes.
 struct BodyContact {
   std::size_t contact = 0;  ///< among the mechanism's, which has its name, friction and forces
   std::size_t of = 0, on = ground;
-  PlacedPair point;            ///< in the axes of `of`
+  PlacedVector point;            ///< in the axes of `of`
   PlacedExpression radius;     ///< radius of the disc; null: a point
-  PlacedPair normal;           ///< of the line, in the axes of `on`, out of it
-  PlacedPair through;          ///< a point of the line, in the axes of `on`
-  PlacedPair on_point;         ///< or the centre of the disc on `on`,
+  PlacedVector normal;           ///< of the line, in the axes of `on`, out of it
+  PlacedVector through;          ///< a point of the line, in the axes of `on`
+  PlacedVector on_point;         ///< or the centre of the disc on `on`,
   PlacedExpression on_radius;  ///< negative for the inside of a ring
-  PlacedPair
+  PlacedVector
       slip_direction;  ///< where the slip counts positive: along the line; the normal turned clockwise if left out
+  PlacedVector tangent;                 ///< in space: the direction of the first slip, in the axes of `on`
   PlacedExpression rolling_resistance;  ///< a length
   std::optional<std::size_t> rolling;   ///< its friction element
   std::string rolling_force;            ///< the name in the file; empty: the default
@@ -78,27 +98,33 @@ struct BodyContact {
 };
 
 struct BodyJoint {
-  enum class Kind : std::uint8_t { pin, slider, weld, rod, rope, spring, gear };
+  enum class Kind : std::uint8_t { pin, slider, weld, rod, rope, spring, gear, ball, hinge, cylindrical, universal };
   Kind kind = Kind::pin;
   std::string name;
   std::size_t first = 0, second = 0;
-  PlacedPair at, to;         ///< in the axes of the first, of the second; `to`: the same place if left out
-  PlacedPair axis;           ///< axis of a slider, in the axes of the first
+  PlacedVector at, to;         ///< in the axes of the first, of the second; `to`: the same place if left out
+  PlacedVector axis;           ///< of a slider, hinge, ...: in the axes of the first
+  PlacedVector to_axis;        ///< second axis of a universal joint or gear, in the axes of the second
   PlacedExpression length;   ///< length of a rod, rope or spring
   PlacedExpression tension;  ///< present tension of a spring
   PlacedExpression ratio;    ///< gear: angular velocity of the second over that of the first, relative to the carrier
   std::size_t carrier = ground;
   std::vector<std::size_t> links;      ///< among the mechanism's
   std::optional<std::size_t> contact;  ///< contact of a rope or a freewheel
-  /// Names of the forces in the file; empty: the default. Along x, along y, against turning, across the axis, or the
-  /// only force.
-  std::array<std::string, 5> force_names;
+  std::map<std::string, std::string, std::less<>> force_names;  ///< names in the file, by what they are along
   bool state_given = false, well_named = false;
   Place place;
 };
 
-/// The kinds of joints as files write them, in their order.
-inline constexpr std::array<std::string_view, 7> joint_kinds{"pin", "slider", "weld", "rod", "rope", "spring", "gear"};
+/// The kinds of joints as files write them, in their order. A pin is in the plane, and what comes after the gear in
+/// space.
+inline constexpr std::array<std::string_view, 11> joint_kinds{
+    "pin", "slider", "weld", "rod", "rope", "spring", "gear", "ball", "hinge", "cylindrical", "universal"};
+/// Those of the plane (2), or of space (3).
+constexpr std::span<const std::string_view> joint_kinds_of(std::size_t dimension) {
+  const std::span<const std::string_view> all = joint_kinds;
+  return dimension == 2 ? all.first(7) : all.subspan(1);
+}
 constexpr std::string_view name(BodyJoint::Kind kind) {
   return joint_kinds[static_cast<std::size_t>(kind)];
 }
@@ -113,8 +139,8 @@ struct BodyFriction {
 
 struct BodyForce {
   std::size_t on = 0;
-  PlacedPair at;  ///< in the axes of `on`; the centre of mass if left out
-  PlacedPair is;  ///< in the axes of the scene, or of the body
+  PlacedVector at;  ///< in the axes of `on`; the centre of mass if left out
+  PlacedVector is;  ///< in the axes of the scene, or of the body
   bool follows = false;
   std::optional<std::size_t> back_on;
   Place place;
@@ -122,13 +148,15 @@ struct BodyForce {
 
 struct BodyTorque {
   std::size_t on = 0;
-  PlacedExpression is;
+  PlacedVector is;  ///< in the axes of the scene, or of the body
+  bool follows = false;
   std::optional<std::size_t> back_on;
   Place place;
 };
 
 struct Bodies {
-  PlacedPair gravity;        ///< null: the file states that there is none, or has no masses
+  std::size_t dimension = 2;  ///< 2: the plane; 3: space
+  PlacedVector gravity;        ///< null: the file states that there is none, or has no masses
   std::vector<Body> bodies;  ///< the ground first
   std::vector<BodyContact> contacts;
   std::vector<BodyJoint> joints;
@@ -140,51 +168,58 @@ struct Bodies {
 /// visit(expression, key, may_have_the_load) for everything that a file says in expressions, friction and limits aside.
 template <class Scene, class Visit>
 void visit_expressions(Scene& scene, Visit&& visit) {
-  const auto both = [&](auto& pair, std::string_view key, bool load) {
-    visit(pair.x, key, load);
-    visit(pair.y, key, load);
+  const auto all = [&](auto& vector, std::string_view key, bool load) {
+    visit(vector.x, key, load);
+    visit(vector.y, key, load);
+    visit(vector.z, key, load);
   };
-  both(scene.gravity, "gravity", false);
+  all(scene.gravity, "gravity", false);
   for (auto& body : scene.bodies) {
     visit(body.mass, "mass", false);
-    visit(body.inertia, "inertia", false);
-    both(body.at, "at", false);
+    for (auto& entry : body.inertia.entries) visit(entry, "inertia", false);
+    all(body.at, "at", false);
     visit(body.cosine, "angle", false);
     visit(body.sine, "angle", false);
-    both(body.velocity, "velocity", false);
-    visit(body.spin, "spin", false);
-    both(body.acceleration, "acceleration", true);
-    visit(body.turning, "turning", true);
+    all(body.turn_axis, "axis", false);
+    for (auto& entry : body.quaternion) visit(entry, "turn", false);
+    all(body.velocity, "velocity", false);
+    all(body.spin, "spin", false);
+    all(body.acceleration, "acceleration", true);
+    all(body.turning, "turning", true);
     for (auto& shape : body.shapes) {
-      for (auto& point : shape.points) both(point, "shape", false);
+      for (auto& point : shape.points) all(point, "shape", false);
+      all(shape.axis, "axis", false);
       visit(shape.width, "box", false);
+      visit(shape.depth, "box", false);
       visit(shape.height, "box", false);
       visit(shape.radius, "circle", false);
     }
   }
   for (auto& contact : scene.contacts) {
-    both(contact.point, "point", false);
+    all(contact.point, "point", false);
     visit(contact.radius, "radius", false);
-    both(contact.normal, "normal", false);
-    both(contact.through, "through", false);
-    both(contact.on_point, "on_point", false);
+    all(contact.normal, "normal", false);
+    all(contact.through, "through", false);
+    all(contact.on_point, "on_point", false);
     visit(contact.on_radius, "on_radius", false);
-    both(contact.slip_direction, "slip_direction", false);
+    all(contact.slip_direction, "slip_direction", false);
+    all(contact.tangent, "tangent", false);
     visit(contact.rolling_resistance, "rolling_resistance", false);
   }
   for (auto& joint : scene.joints) {
-    both(joint.at, "at", false);
-    both(joint.to, "to", false);
-    both(joint.axis, "axis", false);
+    all(joint.at, "at", false);
+    all(joint.to, "to", false);
+    all(joint.axis, "axis", false);
+    all(joint.to_axis, "to_axis", false);
     visit(joint.length, "length", false);
     visit(joint.tension, "force", true);
     visit(joint.ratio, "ratio", false);
   }
   for (auto& force : scene.forces) {
-    both(force.at, "at", false);
-    both(force.is, "is", true);
+    all(force.at, "at", false);
+    all(force.is, "is", true);
   }
-  for (auto& torque : scene.torques) visit(torque.is, "is", true);
+  for (auto& torque : scene.torques) all(torque.is, "is", true);
 }
 
 }  // namespace slipproof

@@ -6,6 +6,7 @@
 #include "mechanics/bodies/frame.hpp"
 #include "mechanics/bodies/identity.hpp"
 #include "mechanics/bodies/parts.hpp"
+#include "mechanics/bodies/sure_sign.hpp"
 
 namespace slipproof {
 
@@ -16,16 +17,16 @@ Derivation::Derivation(const Bodies& scene, Mechanism& result, Mistakes& list)
       mechanism(result),
       mistakes(list),
       frames(bodies_in_motion::frames(scene)),
-      loads(scene.bodies.size()) {
-  for (Load& load : loads) load = {{zero_literal(), zero_literal()}, zero_literal()};
-}
+      loads(scene.bodies.size()) {}
 
 PlacedExpression Derivation::derived(const Expression& expression, Place place) {
   return {expression, PlacedText("", place)};
 }
 
-std::vector<PlacedExpression> Derivation::derived(const PlanarVector& vector, Place place) {
-  return {derived(vector.x, place), derived(vector.y, place)};
+std::vector<PlacedExpression> Derivation::derived(const SceneVector& vector, Place place) const {
+  std::vector<PlacedExpression> result;
+  for (std::size_t i = 0; i < bodies.dimension; ++i) result.push_back(derived(vector[i], place));
+  return result;
 }
 
 void Derivation::must_be(GeometryFact::Kind kind, const Expression& value, std::string name, std::string what,
@@ -38,12 +39,12 @@ void Derivation::must_vanish(const Expression& value, std::string name, std::str
   must_be(GeometryFact::Kind::zero, value, std::move(name), std::move(what), place);
 }
 
-void Derivation::must_have_length_1(const PlanarVector& vector, const std::string& name, Place place) {
+void Derivation::must_have_length_1(const SceneVector& vector, const std::string& name, Place place) {
   must_vanish(minus(dot(vector, vector), make_number(1)), name + "-has-length-1",
               name + ": found a vector whose length squared is 1 plus X, expected one of length 1", place);
 }
 
-Expression Derivation::distance(const PlanarVector& between, const std::string& kind, const std::string& name,
+Expression Derivation::distance(const SceneVector& between, const std::string& kind, const std::string& name,
                                 Place place) {
   const Expression square = dot(between, between);
   const auto root = root_of_square(mechanism, square);
@@ -58,13 +59,33 @@ Expression Derivation::distance(const PlanarVector& between, const std::string& 
   return *root;
 }
 
-void Derivation::push(std::size_t body, const PlanarVector& arm, const PlanarVector& force) {
+void Derivation::push(std::size_t body, const SceneVector& arm, const SceneVector& force) {
   loads[body].force = loads[body].force + force;
-  loads[body].moment = plus(loads[body].moment, cross(arm, force));
+  loads[body].moment = loads[body].moment + moment(arm, force);
 }
 
-void Derivation::turn(std::size_t body, const Expression& couple) {
-  loads[body].moment = plus(loads[body].moment, couple);
+void Derivation::turn(std::size_t body, const SceneVector& couple) {
+  loads[body].moment = loads[body].moment + couple;
+}
+
+/// Where a coordinate is 0, an axis is one of them. Otherwise x and y, turned as z is turned into the direction n:
+/// x - n.x (z + n)/(1 + n.z), or the same from another axis with which n makes no angle of half a turn.
+std::optional<Derivation::Across> Derivation::across(const SceneVector& n) const {
+  const SceneVector z = axis(2);
+  if (!in_space()) return Across{-cross(z, n), -z};
+  if (is_literal_zero(n.y)) return Across{moment(axis(1), n), axis(1)};
+  if (is_literal_zero(n.x)) return Across{axis(0), moment(n, axis(0))};
+  if (is_literal_zero(n.z)) return Across{moment(z, n), z};
+  for (std::size_t i : {2, 0, 1}) {
+    for (const bool backward : {false, true}) {
+      const Expression along = backward ? negative_of(n[i]) : n[i];
+      if (sure_signs(mechanism, along).negative) continue;
+      const SceneVector from = backward ? -axis(i) : axis(i), both = (from + n) / plus(make_number(1), along);
+      const SceneVector own = axis((i + 1) % 3), first = own - n[(i + 1) % 3] * both;
+      return Across{first, moment(n, first)};
+    }
+  }
+  return std::nullopt;
 }
 
 namespace {
@@ -72,37 +93,64 @@ namespace {
 void apply_forces(Derivation& d) {
   for (const BodyForce& force : d.bodies.forces) {
     const Frame& frame = d.frames[force.on];
-    const PlanarVector arm = frame.in_scene(unplaced(force.at));
-    const PlanarVector is = force.follows ? frame.in_scene(unplaced(force.is)) : unplaced(force.is);
+    const SceneVector arm = frame.in_scene(unplaced(force.at));
+    const SceneVector is = force.follows ? frame.in_scene(unplaced(force.is)) : unplaced(force.is);
     d.push(force.on, arm, is);
     if (force.back_on) d.push(*force.back_on, frame.at + arm - d.frames[*force.back_on].at, -is);
   }
   for (const BodyTorque& torque : d.bodies.torques) {
-    d.turn(torque.on, unplaced(torque.is));
-    if (torque.back_on) d.turn(*torque.back_on, negative_of(unplaced(torque.is)));
+    const SceneVector given = unplaced(torque.is);
+    const SceneVector is = torque.follows ? d.frames[torque.on].in_scene(given) : given;
+    d.turn(torque.on, is);
+    if (torque.back_on) d.turn(*torque.back_on, -is);
   }
 }
 
-void add_equation(Derivation& d, const Body::Unknown& unknown, const PlacedExpression& inertia, const Expression& push,
-                  Place place) {
-  if (unknown.symbol.empty()) return;
+/// The inertia in the axes of the scene: R I R^T.
+std::array<SceneVector, 3> inertia_in_scene(const Body& body, const Frame& frame) {
+  std::array<SceneVector, 3> rows;  // I R^T, then its columns turned
+  for (std::size_t i = 0; i < 3; ++i) {
+    SceneVector row;
+    for (std::size_t j = 0; j < 3; ++j) row = row + unplaced(body.inertia.at(std::min(i, j), std::max(i, j))) * axis(j);
+    rows[i] = frame.in_scene(row);
+  }
+  for (std::size_t j = 0; j < 3; ++j) {
+    const SceneVector column = frame.in_scene({rows[0][j], rows[1][j], rows[2][j]});
+    for (std::size_t i = 0; i < 3; ++i) (j == 0 ? rows[i].x : j == 1 ? rows[i].y : rows[i].z) = column[i];
+  }
+  return rows;
+}
+
+/// inertia . accelerations = push, for one unknown of a body.
+void add_equation(Derivation& d, const Body& body, std::size_t unknown, const Expression& inertial,
+                  const Expression& push, Place place) {
+  const Body::Unknown& one = body.unknowns[unknown];
+  if (one.symbol.empty()) return;
   MechanismEquation equation;
-  equation.name = unknown.symbol;
-  equation.left = d.derived(times(unplaced(inertia), make_symbol(unknown.symbol)), place);
-  equation.right = d.derived(unknown.negated ? negative_of(push) : push, place);
+  equation.name = one.symbol;
+  equation.left = d.derived(one.negated ? negative_of(inertial) : inertial, place);
+  equation.right = d.derived(one.negated ? negative_of(push) : push, place);
   d.mechanism.equations.push_back(std::move(equation));
 }
 
+/// Newton, and Euler about the centre of mass: J alpha = M - omega x J omega.
 void write_equations(Derivation& d) {
   d.mechanism.by_virtual_work = true;
-  const PlanarVector gravity = unplaced(d.bodies.gravity);
+  const SceneVector gravity = unplaced(d.bodies.gravity);
   for (std::size_t i = 0; i < d.bodies.bodies.size(); ++i) {
     const Body& body = d.bodies.bodies[i];
     if (body.is_prescribed()) continue;
-    const PlanarVector push = unplaced(body.mass) * gravity + d.loads[i].force;
-    add_equation(d, body.ax, body.mass, push.x, body.mass.place());
-    add_equation(d, body.ay, body.mass, push.y, body.mass.place());
-    add_equation(d, body.alpha, body.inertia, d.loads[i].moment, body.inertia ? body.inertia.place() : body.place);
+    const Frame& frame = d.frames[i];
+    const SceneVector push = unplaced(body.mass) * gravity + d.loads[i].force;
+    const SceneVector inertial = unplaced(body.mass) * frame.acceleration;
+    for (std::size_t k = 0; k < 3; ++k) add_equation(d, body, k, inertial[k], push[k], body.mass.place());
+    if (!body.turns_freely()) continue;
+    const auto inertia = inertia_in_scene(body, frame);
+    const auto along = [&](const SceneVector& turning) {
+      return SceneVector{dot(inertia[0], turning), dot(inertia[1], turning), dot(inertia[2], turning)};
+    };
+    const SceneVector turning = along(frame.turning), couple = d.loads[i].moment - moment(frame.spin, along(frame.spin));
+    for (std::size_t k = 0; k < 3; ++k) add_equation(d, body, 3 + k, turning[k], couple[k], body.inertia.place());
   }
 }
 
@@ -118,6 +166,51 @@ void check_divisors(Derivation& d) {
   for (const MechanismDefinition& one : d.mechanism.definitions) check(one.expression, one.symbol);
   visit_expressions(
       d.bodies, [&](const PlacedExpression& placed, std::string_view key, bool) { check(placed, std::string(key)); });
+}
+
+void check_turn(Derivation& d, const Body& body) {
+  if (body.turn_axis) d.must_have_length_1(unplaced(body.turn_axis), "body " + body.name + ": axis", body.turn_axis.place);
+  if (!body.quaternion[0]) return;
+  Expression square = zero_literal();
+  for (const PlacedExpression& part : body.quaternion) square = plus(square, times(unplaced(part), unplaced(part)));
+  d.must_be(GeometryFact::Kind::positive, square, body.name + "-turn",
+            "body " + body.name + ": found a quaternion of length 0, expected w x y z", body.quaternion[0].place());
+}
+
+/// No moment of inertia is larger than the other two together. With the principal minors of S = (trace I)/2 - I: the
+/// second moments of the mass, which are no less than 0.
+void check_inertia(Derivation& d, const Body& body, bool held) {
+  const auto own = [&](std::size_t i, std::size_t j) { return unplaced(body.inertia.at(i, j)); };
+  const std::array<Expression, 3> moments{
+      minus(plus(own(1, 1), own(2, 2)), own(0, 0)), minus(plus(own(0, 0), own(2, 2)), own(1, 1)),
+      minus(plus(own(0, 0), own(1, 1)), own(2, 2))};
+  const std::string name = "body " + body.name + ": ";
+  constexpr std::array<std::string_view, 3> axes{"xx", "yy", "zz"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const PlacedExpression& entry = body.inertia.entries[i];
+    d.must_be(GeometryFact::Kind::not_negative, moments[i], body.name + "-inertia-" + std::string(axes[i]),
+              name + "found the moment of inertia " + std::string(axes[i]) +
+                  " larger than the other two together: they are X more, which no body has, expected 0 or more",
+              entry.place());
+    d.must_be(held ? GeometryFact::Kind::not_negative : GeometryFact::Kind::positive, own(i, i),
+              body.name + "-inertia", name + "found the inertia X, expected one " + (held ? "of 0 or more" : "above 0"),
+              entry.place());
+  }
+  const Expression xy = own(0, 1), xz = own(0, 2), yz = own(1, 2), four = make_number(4);
+  if (is_literal_zero(xy) && is_literal_zero(xz) && is_literal_zero(yz)) return;
+  const auto minor = [&](std::size_t i, std::size_t j, const Expression& mixed) {
+    return minus(times(moments[i], moments[j]), times(four, times(mixed, mixed)));
+  };
+  const std::string fits = name + "found products of inertia that are too large for its moments by X, expected a body's";
+  const auto hold = [&](const Expression& value) {
+    d.must_be(GeometryFact::Kind::not_negative, value, body.name + "-inertia", fits, body.inertia.place());
+  };
+  hold(minor(0, 1, xy)), hold(minor(0, 2, xz)), hold(minor(1, 2, yz));
+  // The determinant of twice S, whose mixed entries are -2 xy and so on.
+  const Expression mixed = times(make_number(-16), times(xy, times(xz, yz)));
+  const Expression taken = plus(plus(times(moments[0], times(yz, yz)), times(moments[1], times(xz, xz))),
+                                times(moments[2], times(xy, xy)));
+  hold(plus(times(moments[0], times(moments[1], moments[2])), minus(mixed, times(four, taken))));
 }
 
 void check_body(Derivation& d, const Body& body) {
@@ -140,7 +233,9 @@ void check_body(Derivation& d, const Body& body) {
               value.place());
   };
   check(body.mass, "mass");
-  check(body.inertia, "inertia");
+  if (!d.in_space()) return check(body.inertia.entries[2], "inertia");
+  check_turn(d, body);
+  if (body.turns_freely()) check_inertia(d, body, held);
 }
 
 }  // namespace

@@ -26,6 +26,8 @@ struct ElementVelocity {
   Expression sliding;       ///< null: frictionless
   bool state_given = false;
   Place place;
+  Expression second = nullptr;  ///< of a contact in space: the sliding along its second direction,
+  Expression speed = nullptr;   ///< and how fast it slides, >= 0; null where no rational expression says it
 };
 
 struct BodyGeometry {

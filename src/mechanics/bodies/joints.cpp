@@ -1,4 +1,6 @@
 // Joints: what stays 0, in the order in which the reader made links for it, and what springs do.
+#include <array>
+
 #include "mechanics/bodies/parts.hpp"
 
 namespace slipproof::bodies_in_motion {
@@ -7,8 +9,8 @@ namespace {
 
 /// From the second end to the first of a rod, rope or spring.
 struct Span {
-  PlanarVector first_arm, second_arm;  ///< from the centres of mass
-  PlanarVector along;                  ///< of length 1
+  SceneVector first_arm, second_arm;  ///< from the centres of mass
+  SceneVector along;                  ///< of length 1
   Expression length, rate, growth;     ///< of its ends' distance, with its first and second derivatives
 };
 
@@ -20,12 +22,23 @@ class JointDerivation {
   void derive() {
     switch (joint_.kind) {
       case BodyJoint::Kind::pin:
-        return pin();
+      case BodyJoint::Kind::ball:
+        return meet();
+      case BodyJoint::Kind::hinge:
+        meet();
+        return turn_about_axis();
+      case BodyJoint::Kind::universal:
+        meet();
+        return axes_stay_square();
       case BodyJoint::Kind::weld:
-        pin();
+        meet();
         return no_turning();
       case BodyJoint::Kind::slider:
-        return slider();
+        stay_on_axis();
+        return no_turning();
+      case BodyJoint::Kind::cylindrical:
+        stay_on_axis();
+        return turn_about_axis();
       case BodyJoint::Kind::rod:
         return rod();
       case BodyJoint::Kind::rope:
@@ -55,27 +68,72 @@ class JointDerivation {
     return {second_, second_.in_body(first_end().place - second_.at)};
   }
 
-  void pin() {
+  static constexpr std::array<const char*, 3> axes{"x", "y", "z"};
+
+  /// The two points are the same.
+  void meet() {
     const MovingPoint first = first_end(), second = second_end();
-    if (joint_.to) {
-      const PlanarVector apart = first.place - second.place;
-      d_.must_vanish(apart.x, joint_.name + "-meets",
-                     name() + "its two points are X apart along x, expected the same place", joint_.to.place);
-      d_.must_vanish(apart.y, joint_.name + "-meets",
-                     name() + "its two points are X apart along y, expected the same place", joint_.to.place);
+    const SceneVector apart = first.place - second.place, velocity = first.velocity - second.velocity;
+    for (std::size_t i = 0; i < 3 && joint_.to; ++i) {
+      d_.must_vanish(apart[i], joint_.name + "-meets",
+                     name() + "its two points are X apart along " + axes[i] + ", expected the same place",
+                     joint_.to.place);
     }
-    const PlanarVector velocity = first.velocity - second.velocity;
-    has_no_velocity(velocity.x, "its points to move apart along x by");
-    has_no_velocity(velocity.y, "its points to move apart along y by");
-    const PlanarVector zero = first.acceleration - second.acceleration;
-    stays_zero(zero.x);
-    stays_zero(zero.y);
+    for (std::size_t i = 0; i < 3; ++i) {
+      has_no_velocity(velocity[i], "its points to move apart along " + std::string(axes[i]) + " by");
+    }
+    const SceneVector zero = first.acceleration - second.acceleration;
+    for (std::size_t i = 0; i < d_.bodies.dimension; ++i) stays_zero(zero[i]);
   }
 
-  /// Where neither body turns freely there is no link, and what is prescribed must agree, for every load.
+  SceneVector axis_in_scene() {
+    const SceneVector axis = first_.in_scene(unplaced(joint_.axis));
+    d_.must_have_length_1(axis, name() + "axis", joint_.axis.place);
+    return axis;
+  }
+  /// Directions across the axis that turn with the first body: one in the plane, two in space.
+  std::vector<SceneVector> across_axis(const SceneVector& axis) {
+    if (!d_.in_space()) return {cross(bodies_in_motion::axis(2), axis)};
+    const auto own = d_.across(unplaced(joint_.axis));
+    if (own) return {first_.in_scene(own->first), first_.in_scene(own->second)};
+    d_.mistakes.add(joint_.axis.place,
+                    name() + "axis: found one that may point anywhere, expected one along a plane of the body's axes, "
+                             "or one whose coordinates do not change their sign");
+    return {axis, axis};
+  }
+  /// Both bodies have one direction in common, and turn about it.
+  void turn_about_axis() {
+    for (const SceneVector& across : across_axis(axis_in_scene())) {
+      has_no_velocity(dot(across, first_.spin - second_.spin), "a relative spin across the axis of");
+      turning_stays_zero(dot(across, first_.turning - second_.turning - cross(second_.spin, first_.spin)));
+    }
+  }
+
+  /// A direction a of the first is across a direction c of the second: a.c = 0 has the first derivative s.(a x c), with
+  /// the relative spin s.
+  void axes_stay_square() {
+    const SceneVector a = axis_in_scene(), c = second_.in_scene(unplaced(joint_.to_axis));
+    d_.must_have_length_1(c, name() + "to_axis", joint_.to_axis.place);
+    d_.must_vanish(dot(a, c), joint_.name + "-is-square",
+                   name() + "found axes that make an angle with the cosine X, expected a right angle",
+                   joint_.to_axis.place);
+    const SceneVector both = moment(a, c), spin = first_.spin - second_.spin;
+    has_no_velocity(dot(spin, both), "a relative spin across both axes of");
+    const SceneVector change = moment(cross(first_.spin, a), c) + moment(a, cross(second_.spin, c));
+    turning_stays_zero(plus(dot(first_.turning - second_.turning, both), dot(spin, change)));
+  }
+
+  /// Both turn alike.
   void no_turning() {
-    has_no_velocity(minus(first_.spin, second_.spin), "a relative spin of");
-    const Expression turning = minus(first_.turning, second_.turning);
+    const SceneVector turning = first_.turning - second_.turning;
+    const std::size_t from = d_.in_space() ? 0 : 2;
+    for (std::size_t i = from; i < 3; ++i) {
+      has_no_velocity(minus(first_.spin[i], second_.spin[i]), "a relative spin of");
+    }
+    for (std::size_t i = from; i < 3; ++i) turning_stays_zero(turning[i]);
+  }
+  /// Where neither body turns freely there is no link, and what is prescribed must agree, for every load.
+  void turning_stays_zero(const Expression& turning) {
     if (next_ < joint_.links.size()) return stays_zero(turning);
     const std::string found = name() + "the prescribed turning does not fit it: found ";
     const std::string load = d_.mechanism.load ? d_.mechanism.load->symbol : "";
@@ -92,23 +150,23 @@ class JointDerivation {
     vanishes(minus(substitute(turning, load, make_number(1)), still), " times " + load);
   }
 
-  /// The second body's point stays on a line of the first, and both turn alike.
-  void slider() {
-    const PlanarVector axis = first_.in_scene(unplaced(joint_.axis)), across = turned(axis);
-    d_.must_have_length_1(axis, name() + "axis", joint_.axis.place);
+  /// The second body's point stays on a line of the first.
+  void stay_on_axis() {
+    const SceneVector axis = axis_in_scene();
     const MovingPoint first = first_end(), second = second_end();
-    if (joint_.to) {
-      d_.must_vanish(dot(across, second.place - first.place), joint_.name + "-meets",
-                     name() + "its second point is X beside the axis, expected it on the axis", joint_.to.place);
-    }
     const RelativePoint seen(second, first_);
-    has_no_velocity(dot(across, seen.velocity), "its second point to leave the axis by");
-    stays_zero(negative_of(dot(across, seen.acceleration)));
-    no_turning();
+    for (const SceneVector& across : across_axis(axis)) {
+      if (joint_.to) {
+        d_.must_vanish(dot(across, second.place - first.place), joint_.name + "-meets",
+                       name() + "its second point is X beside the axis, expected it on the axis", joint_.to.place);
+      }
+      has_no_velocity(dot(across, seen.velocity), "its second point to leave the axis by");
+      stays_zero(negative_of(dot(across, seen.acceleration)));
+    }
   }
 
   /// The distance of the ends of a slack rope, shorter than its length.
-  Expression slack_length(const PlanarVector& between, const Expression& length) {
+  Expression slack_length(const SceneVector& between, const Expression& length) {
     const Expression distance = d_.distance(between, "joint", joint_.name, joint_.length.place());
     if (!distance) return length;
     d_.must_be(GeometryFact::Kind::not_negative, minus(length, distance), joint_.name + "-is-slack",
@@ -120,7 +178,7 @@ class JointDerivation {
   /// Its direction is exact only where its length is: given, or plain from the coordinates.
   Span span() {
     const MovingPoint first = first_end(), second = second_end();
-    const PlanarVector between = first.place - second.place;
+    const SceneVector between = first.place - second.place;
     Span result;
     result.first_arm = first.place - first_.at;
     result.second_arm = second.place - second_.at;
@@ -140,11 +198,14 @@ class JointDerivation {
       if (same(x, negative_of(result.length))) return make_number(-1);
       return over(x, result.length);
     };
-    result.along = {share(between.x), share(between.y)};
-    const PlanarVector velocity = first.velocity - second.velocity;
-    const Expression across = dot(turned(result.along), velocity);
+    result.along = {share(between.x), share(between.y), share(between.z)};
+    const SceneVector velocity = first.velocity - second.velocity;
     result.rate = dot(result.along, velocity);
-    const Expression square = times(across, across);
+    Expression square = zero_literal();  // of the velocity across it
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Expression across = dot(cross(axis(i), result.along), velocity);
+      square = plus(square, times(across, across));
+    }
     result.growth = plus(dot(result.along, first.acceleration - second.acceleration), over(square, result.length));
     return result;
   }
@@ -169,18 +230,31 @@ class JointDerivation {
 
   void spring() {
     const Span spring = span();
-    const PlanarVector pull = unplaced(joint_.tension) * spring.along;
+    const SceneVector pull = unplaced(joint_.tension) * spring.along;
     d_.push(joint_.first, spring.first_arm, -pull);
     d_.push(joint_.second, spring.second_arm, pull);
   }
 
+  /// About axes of the carrier; in the plane about the one out of it.
   void gear() {
     const Frame& carrier = d_.frames[joint_.carrier];
     const Expression ratio = unplaced(joint_.ratio);
-    const auto ahead = [&](Expression Frame::*turning) {
-      return minus(minus(second_.*turning, carrier.*turning), times(ratio, minus(first_.*turning, carrier.*turning)));
+    const auto axis_of = [&](const PlacedVector& given, const std::string& key) {
+      if (!d_.in_space()) return axis(2);
+      const SceneVector result = carrier.in_scene(unplaced(given));
+      d_.must_have_length_1(result, name() + key, given.place);
+      return result;
     };
-    const Expression rate = ahead(&Frame::spin), gap = ahead(&Frame::turning);
+    const SceneVector first_axis = axis_of(joint_.axis, "axis"),
+                      second_axis = axis_of(joint_.to_axis ? joint_.to_axis : joint_.axis, "to_axis");
+    const auto ahead = [&](const SceneVector& second, const SceneVector& first) {
+      return minus(dot(second_axis, second), times(ratio, dot(first_axis, first)));
+    };
+    const auto turning = [&](const Frame& wheel) {
+      return wheel.turning - carrier.turning - cross(carrier.spin, wheel.spin);
+    };
+    const Expression rate = ahead(second_.spin - carrier.spin, first_.spin - carrier.spin),
+                     gap = ahead(turning(second_), turning(first_));
     if (joint_.contact) {
       d_.mechanism.contacts[*joint_.contact].gap = d_.derived(gap, joint_.place);
       d_.geometry.velocities.push_back({*joint_.contact, nullptr, rate, nullptr, joint_.state_given, joint_.place});

@@ -1,6 +1,7 @@
 // Inside the derivation of a mechanism from bodies: what its parts share.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,7 @@ namespace slipproof::bodies_in_motion {
 
 /// A load on a body: a force or a couple that no contact or joint exerts.
 struct Load {
-  PlanarVector force;
-  Expression moment;  ///< about its centre of mass
+  SceneVector force, moment;  ///< about its centre of mass
 };
 
 struct Derivation {
@@ -25,18 +25,27 @@ struct Derivation {
   std::vector<Load> loads;
   BodyGeometry geometry;
 
+  bool in_space() const { return bodies.dimension == 3; }
   static PlacedExpression derived(const Expression& expression, Place place);
-  static std::vector<PlacedExpression> derived(const PlanarVector& vector, Place place);
+  /// The coordinates that a vector has: two, in space three.
+  std::vector<PlacedExpression> derived(const SceneVector& vector, Place place) const;
   /// `name` as of GeometryFact; an X in the text stands for the value.
   void must_vanish(const Expression& value, std::string name, std::string what, Place place);
   void must_be(GeometryFact::Kind kind, const Expression& value, std::string name, std::string what, Place place);
-  void must_have_length_1(const PlanarVector& vector, const std::string& name, Place place);
+  void must_have_length_1(const SceneVector& vector, const std::string& name, Place place);
   /// The length of the vector between what an element, called by its kind and name, keeps apart; null, and a report,
   /// where it is not rational.
-  Expression distance(const PlanarVector& between, const std::string& kind, const std::string& name, Place place);
+  Expression distance(const SceneVector& between, const std::string& kind, const std::string& name, Place place);
   /// A force at an arm from the centre of mass; a couple.
-  void push(std::size_t body, const PlanarVector& arm, const PlanarVector& force);
-  void turn(std::size_t body, const Expression& couple);
+  void push(std::size_t body, const SceneVector& arm, const SceneVector& force);
+  void turn(std::size_t body, const SceneVector& couple);
+  /// Two directions of length 1, across a direction of length 1 and each other: first x second is the direction. In the
+  /// plane the first is the direction turned clockwise. In space their entries are rational; nothing, where no such
+  /// ones are known for all parameters.
+  struct Across {
+    SceneVector first, second;
+  };
+  std::optional<Across> across(const SceneVector& direction) const;
 };
 
 void derive_contact(Derivation& derivation, const BodyContact& contact);

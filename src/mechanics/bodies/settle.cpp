@@ -7,6 +7,7 @@
 #include "base/number/format.hpp"
 #include "mechanics/bodies/identity.hpp"
 #include "mechanics/bodies/sure_sign.hpp"
+#include "mechanics/bodies/vectors.hpp"
 #include "mechanics/mechanism/algebra.hpp"
 #include "mechanics/points/sampling.hpp"
 
@@ -46,7 +47,9 @@ class Settlement {
     MechanismContact& contact = mechanism_.contacts[velocity.element];
     if (velocity.state_given && contact.start == Start::open) return hold_open(velocity, contact.name);
     hold_closed(velocity, contact);
-    if (contact.start != Start::open && velocity.sliding) settle_sliding(velocity, contact.name, contact.start);
+    if (contact.start == Start::open || !velocity.sliding) return;
+    if (velocity.second) return settle_direction(velocity, contact);
+    settle_sliding(velocity, contact.name, contact.start);
   }
 
  private:
@@ -163,7 +166,7 @@ class Settlement {
                                       "others, expected it to be one of them");
   }
 
-  static std::string name_of(Start start) { return std::string(slipproof::name(start)); }
+  std::string name_of(Start start) const { return std::string(slipproof::name(start, original_.dimension)); }
 
   void settle_sliding(const ElementVelocity& velocity, const std::string& name, Start& start) {
     const auto sliding = sign_at_points(velocity.sliding);
@@ -188,6 +191,49 @@ class Settlement {
                               : start == Start::slides_backward ? Relation::less
                                                                 : Relation::equal;
     assume(name + (start == Start::rest ? "-rests" : "-slides"), velocity.sliding, relation, velocity.place);
+  }
+
+  /// In space: at rest, or with the direction of its sliding velocity.
+  void settle_direction(const ElementVelocity& velocity, MechanismContact& contact) {
+    const Expression square = bodies_in_motion::plus(bodies_in_motion::times(velocity.sliding, velocity.sliding),
+                                                     bodies_in_motion::times(velocity.second, velocity.second));
+    const auto slides = sign_at_points(square);
+    if (!slides && !velocity.state_given) {
+      mistakes_.add(velocity.place, contact.name +
+                                        ": found a sliding velocity that is 0 for some parameters only, expected "
+                                        "state = \"slides\" or \"rest\", or a domain that decides it");
+      return;
+    }
+    const Start found = slides == 0 ? Start::rest : Start::slides_forward;
+    if (slides && velocity.state_given && contact.start != found) {
+      mistakes_.add(velocity.place, contact.name + ": found the state " + in_quotes(name_of(contact.start)) +
+                                        ", but the velocities say " + in_quotes(name_of(found)));
+      return;
+    }
+    if (slides) contact.start = found;
+    if (contact.start == Start::rest) {
+      for (const Expression& part : {velocity.sliding, velocity.second}) {
+        if (bodies_in_motion::vanishes_identically(original_, part)) continue;
+        assume(contact.name + "-rests", part, Relation::equal, velocity.place);
+      }
+      return;
+    }
+    slide(velocity, contact, square);
+  }
+
+  void slide(const ElementVelocity& velocity, MechanismContact& contact, const Expression& square) {
+    if (!velocity.speed) {
+      mistakes_.add(velocity.place,
+                    contact.name + ": found a sliding velocity whose square is " + in_quotes(to_string(square)) +
+                        ", which is not the square of a rational expression, expected one along a rational direction, "
+                        "such as [\"3\", \"4\", \"0\"], or a speed times the cosine and sine of an angle");
+      return;
+    }
+    contact.sliding.clear();
+    for (const Expression& part : {velocity.sliding, velocity.second}) {
+      contact.sliding.push_back({bodies_in_motion::over(part, velocity.speed), PlacedText("", velocity.place)});
+    }
+    assume(contact.name + "-slides", velocity.speed, Relation::greater, velocity.place);
   }
 
   Mechanism& mechanism_;

@@ -26,30 +26,30 @@ class Picture {
   }
 
  private:
-  void add(Kind kind, const std::vector<PlanarVector>& points, Place place, const Expression& radius = nullptr) {
+  void add(Kind kind, const std::vector<SceneVector>& points, Place place, const Expression& radius = nullptr) {
     MechanismShape shape;
     shape.kind = kind;
-    for (const PlanarVector& point : points) shape.points.push_back(d_.derived(point, place));
+    for (const SceneVector& point : points) shape.points.push_back(d_.derived(point, place));
     if (radius) shape.radius = d_.derived(radius, place);
     shape.place = place;
     d_.mechanism.shapes.push_back(std::move(shape));
   }
 
-  PlanarVector placed(std::size_t body, const PlanarVector& own) const {
+  SceneVector placed(std::size_t body, const SceneVector& own) const {
     return d_.frames[body].at + d_.frames[body].in_scene(own);
   }
-  PlanarVector placed(std::size_t body, const PlacedPair& own) const { return placed(body, unplaced(own)); }
+  SceneVector placed(std::size_t body, const PlacedVector& own) const { return placed(body, unplaced(own)); }
 
   void outline(std::size_t body, const BodyShape& shape) {
-    std::vector<PlanarVector> points;
-    for (const PlacedPair& point : shape.points) points.push_back(placed(body, point));
+    std::vector<SceneVector> points;
+    for (const PlacedVector& point : shape.points) points.push_back(placed(body, point));
     if (shape.kind == BodyShape::Kind::box) {
       const Expression half = quotient_of(make_number(1), make_number(2));
       const Expression w = times(half, unplaced(shape.width)), h = times(half, unplaced(shape.height));
-      const PlanarVector centre = shape.points.empty() ? unplaced(PlacedPair{}) : unplaced(shape.points[0]);
+      const SceneVector centre = shape.points.empty() ? unplaced(PlacedVector{}) : unplaced(shape.points[0]);
       points.clear();
-      for (const auto& corner : {PlanarVector{negative_of(w), negative_of(h)}, PlanarVector{w, negative_of(h)},
-                                 PlanarVector{w, h}, PlanarVector{negative_of(w), h}}) {
+      for (const auto& corner : {SceneVector{negative_of(w), negative_of(h)}, SceneVector{w, negative_of(h)},
+                                 SceneVector{w, h}, SceneVector{negative_of(w), h}}) {
         points.push_back(placed(body, centre + corner));
       }
     } else if (shape.kind == BodyShape::Kind::circle) {
@@ -60,15 +60,15 @@ class Picture {
   }
 
   /// A disc that no shape of its body draws.
-  void disc(std::size_t body, const PlacedPair& centre, const PlacedExpression& radius, Place place) {
+  void disc(std::size_t body, const PlacedVector& centre, const PlacedExpression& radius, Place place) {
     if (!d_.bodies.bodies[body].shapes.empty()) return;
     const Expression size = unplaced(radius);
     add(Kind::circle, {placed(body, centre)}, place, make(Operation::absolute, {size}));
   }
 
-  void note(std::size_t body, const PlacedPair& point) {
-    const PlanarVector own = unplaced(point);
-    for (const PlanarVector& known : drawn_[body].points) {
+  void note(std::size_t body, const PlacedVector& point) {
+    const SceneVector own = unplaced(point);
+    for (const SceneVector& known : drawn_[body].points) {
       if (same(known.x, own.x) && same(known.y, own.y)) return;
     }
     drawn_[body].points.push_back(own);
@@ -77,7 +77,7 @@ class Picture {
   void joint(const BodyJoint& joint) {
     using Joint = BodyJoint::Kind;
     if (joint.kind == Joint::gear) return;
-    const PlanarVector first = placed(joint.first, joint.at);
+    const SceneVector first = placed(joint.first, joint.at);
     note(joint.first, joint.at);
     if (joint.to) note(joint.second, joint.to);
     if (joint.kind == Joint::rod || joint.kind == Joint::rope || joint.kind == Joint::spring) {
@@ -93,7 +93,7 @@ class Picture {
   void body_without_shape(std::size_t body) {
     const Body& one = d_.bodies.bodies[body];
     if (!one.shapes.empty() || one.is_prescribed()) return;
-    for (const PlanarVector& own : drawn_[body].points) {
+    for (const SceneVector& own : drawn_[body].points) {
       if (is_literal_zero(own.x) && is_literal_zero(own.y)) continue;
       add(Kind::line, {d_.frames[body].at, placed(body, own)}, one.place);
     }
@@ -101,7 +101,7 @@ class Picture {
   }
 
   struct Drawn {
-    std::vector<PlanarVector> points;  ///< in the body's axes
+    std::vector<SceneVector> points;  ///< in the body's axes
   };
   Derivation& d_;
   std::vector<Drawn> drawn_;
@@ -110,6 +110,7 @@ class Picture {
 }  // namespace
 
 void draw_shapes(Derivation& derivation) {
+  if (derivation.in_space()) return;
   Picture(derivation).draw();
 }
 

@@ -13,7 +13,7 @@ namespace drawn {
 namespace {
 
 using bodies_in_motion::Frame;
-using bodies_in_motion::PlanarVector;
+using bodies_in_motion::SceneVector;
 
 struct Spot {
   Rational x, y;
@@ -58,12 +58,12 @@ class Drawing {
     return value.value_or(0);
   }
   Rational number(const PlacedExpression& placed) { return placed ? number(placed.expression) : Rational(0); }
-  Spot spot(const PlanarVector& v) { return {number(v.x), number(v.y)}; }
+  Spot spot(const SceneVector& v) { return {number(v.x), number(v.y)}; }
   Spot centre(std::size_t body) { return spot(frames_[body].at); }
-  Spot direction(std::size_t body, const PlacedPair& own) {
+  Spot direction(std::size_t body, const PlacedVector& own) {
     return spot(frames_[body].in_scene(bodies_in_motion::unplaced(own)));
   }
-  Spot place(std::size_t body, const PlacedPair& own) { return centre(body) + direction(body, own); }
+  Spot place(std::size_t body, const PlacedVector& own) { return centre(body) + direction(body, own); }
 
   const std::vector<Outline>& outlines(std::size_t body) const { return outlines_[body]; }
   /// Whether all is inside one convex outline: only then a line along its side leaves it on one side.
@@ -102,14 +102,14 @@ class Drawing {
  private:
   Outline outline(std::size_t body, const BodyShape& shape) {
     Outline result;
-    for (const PlacedPair& point : shape.points) result.corners.push_back(place(body, point));
+    for (const PlacedVector& point : shape.points) result.corners.push_back(place(body, point));
     if (shape.kind != BodyShape::Kind::box && shape.kind != BodyShape::Kind::circle) return result;
     if (result.corners.empty()) result.corners.push_back(centre(body));
     result.radius = number(shape.radius);
     if (shape.kind == BodyShape::Kind::circle) return result;
     const Spot middle = result.corners[0];
-    const Rational w = number(shape.width) / 2, h = number(shape.height) / 2, c = number(frames_[body].cosine),
-                   s = number(frames_[body].sine);
+    const Rational w = number(shape.width) / 2, h = number(shape.height) / 2, c = number(frames_[body].turn.entry(0, 0)),
+                   s = number(frames_[body].turn.entry(1, 0));
     const Spot across{w * c, w * s}, up{-h * s, h * c};
     result.corners = {middle - across - up, middle + across - up, middle + across + up, middle - across + up};
     return result;

@@ -16,6 +16,7 @@ std::vector<MechanismFinding> check_mechanism(const Mechanism& mechanism) {
   UnitReport units = check_units(mechanism);
   std::vector<MechanismFinding> findings = std::move(units.findings);
   std::ranges::move(check_names(mechanism), std::back_inserter(findings));
+  if (mechanism.dimension == 3) return findings;  // the others know the plane
   const CheckPoints points(mechanism);
   if (points.all().size() < CheckPoints::needed) {
     findings.push_back(not_checkable(MechanismFinding::Check::points,

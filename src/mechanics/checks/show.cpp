@@ -78,6 +78,7 @@ class MechanismText {
     contacts();
     friction();
     links();
+    if (m_.dimension == 3) return std::move(text_);
     const double modes = mode_count(kinds_);
     text_ += fmt::format("\nModes: {:.0f}{}\n", modes,
                          modes > max_tried ? ", too many to try each: motions are found by kinematics" : "");
@@ -135,9 +136,17 @@ class MechanismText {
     section(m_.by_virtual_work ? "Equations, contact forces by virtual work" : "Equations", rows);
   }
 
+  static constexpr const char* any_slip = "slip in a direction";
+  static std::string vector_text(const std::vector<PlacedExpression>& vector) {
+    return "(" + listed(vector, [](const PlacedExpression& one) { return to_string(one.expression); }) + ")";
+  }
   std::string states_of(std::size_t element) const {
     std::vector<std::string> names;
-    for (const ElementState state : states(kinds_[element])) names.emplace_back(name(state));
+    for (const ElementState state : states(kinds_[element])) {
+      const bool turned = m_.dimension == 3 && (state == ElementState::slip_forward || state == ElementState::slip_backward);
+      if (!turned) names.emplace_back(name(state));
+      if (turned && (names.empty() || names.back() != any_slip)) names.emplace_back(any_slip);
+    }
     return listed(names);
   }
 
@@ -145,13 +154,20 @@ class MechanismText {
     if (!m_.contacts.empty()) text_ += "\nContacts\n";
     for (std::size_t i = 0; i < m_.contacts.size(); ++i) {
       const MechanismContact& c = m_.contacts[i];
-      std::string what = start_text(c.start);
+      std::string what = m_.dimension == 3 && c.start == ElementKind::Start::slides_forward ? "slides" : start_text(c.start);
       if (c.bilateral) what += ", a guide";
       what += c.frictionless() ? ", without friction" : ", friction " + two(c.static_friction, c.kinetic_friction);
       std::vector<std::string> forces{m_.unknowns[c.normal].symbol};
       if (c.tangent) forces.push_back(m_.unknowns[*c.tangent].symbol);
       std::vector<std::vector<std::string>> rows{{"  " + c.gap_name, "= " + to_string(c.gap.expression)}};
       if (c.slip) rows.push_back({"  " + c.slip_name, "= " + to_string(c.slip.expression)});
+      if (c.second) {
+        forces.push_back(m_.unknowns[c.second->force].symbol);
+        rows.push_back({"  " + c.second->name, "= " + to_string(c.second->slip.expression)});
+        rows.push_back({"  T1 along", vector_text(c.slip_direction)});
+        rows.push_back({"  T2 along", vector_text(c.second->direction)});
+      }
+      if (!c.sliding.empty()) rows.push_back({"  slides along", vector_text(c.sliding) + " of T1, T2"});
       rows.push_back({"  forces", listed(forces)});
       rows.push_back({"  states", states_of(i)});
       if (!c.lift_needs.empty()) {

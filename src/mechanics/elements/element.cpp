@@ -55,6 +55,10 @@ std::string_view name(ElementKind::Start start) {
   return starts[static_cast<std::size_t>(start)];
 }
 
+std::string_view name(ElementKind::Start start, std::size_t dimension) {
+  return dimension == 3 && start == ElementKind::Start::slides_forward ? "slides" : name(start);
+}
+
 std::optional<ElementState> parse_element_state(std::string_view text) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (names[i] == text) return static_cast<ElementState>(i);

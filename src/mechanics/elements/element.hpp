@@ -50,6 +50,8 @@ enum class ElementState : std::uint8_t {
 inline constexpr std::size_t element_state_count = 9;  ///< length of tables by state
 
 std::string_view name(ElementState state);
+/// In space a contact slides in a direction that its velocities have, not forward or backward: `slides`.
+std::string_view name(ElementKind::Start start, std::size_t dimension);
 std::string_view name(ElementKind::Start start);  ///< the name in files: `rest`, `slides+`, `slides-`, `open`
 std::optional<ElementState> parse_element_state(std::string_view text);  ///< nothing unless as written by name()
 

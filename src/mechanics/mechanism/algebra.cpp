@@ -96,6 +96,29 @@ Expression quotient_of(const Expression& x, const Expression& y) {
   return make(Operation::divide, {x, y});
 }
 
+Expression folded(const Expression& x) {
+  if (x->operands.empty()) return x;
+  Node node = *x;
+  for (Expression& operand : node.operands) operand = folded(operand);
+  const auto first = literal(node.operands[0]), second = literal(node.operands.back());
+  if (first && second) {
+    switch (node.operation) {
+      case Operation::add:
+        return make_number(Rational(*first + *second));
+      case Operation::subtract:
+        return make_number(Rational(*first - *second));
+      case Operation::multiply:
+        return make_number(Rational(*first * *second));
+      case Operation::divide:
+        if (!second->is_zero()) return make_number(Rational(*first / *second));
+        break;
+      default:
+        break;
+    }
+  }
+  return std::make_shared<const Node>(std::move(node));
+}
+
 Expression derivative_of(const Expression& x, std::string_view symbol) {
   const auto of = [&](std::size_t operand) { return derivative_of(x->operands[operand], symbol); };
   switch (x->operation) {

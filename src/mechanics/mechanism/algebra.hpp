@@ -16,6 +16,8 @@ Expression product_of(const Expression& x, const Expression& y, const OfExpressi
 Expression appended(const Expression& x, const Expression& y);
 Expression negative_of(const Expression& x);
 Expression quotient_of(const Expression& x, const Expression& y);
+/// With numbers in place of quotients and products of numbers: 0.6 for 3/5. What divides by 0 stays as it is.
+Expression folded(const Expression& x);
 /// The derivative by a symbol that occurs under no division and in no function; a part where it does is returned in
 /// place of its derivative.
 Expression derivative_of(const Expression& x, std::string_view symbol);

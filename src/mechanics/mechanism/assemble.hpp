@@ -47,6 +47,7 @@ class Assembly {
       problem_.accelerations.push_back(slip);
       if (!contact.frictionless()) element.slip = slip;
     }
+    if (contact.second) problem_.accelerations.push_back(forms_.form(compiled.second, contact.second->name));
     if (contact.frictionless()) return;
     const std::string what = "the friction of " + contact.name;
     element.tangent = forms_.unit(*contact.tangent);

@@ -43,8 +43,9 @@ std::optional<std::vector<T>> coefficients(const CompiledForm& form, Evaluator<T
 }
 
 struct CompiledContact {
-  CompiledForm gap, slip;                                    ///< accelerations
+  CompiledForm gap, slip, second;                            ///< accelerations; the second slip in space
   std::optional<Program> static_friction, kinetic_friction;  ///< nothing: frictionless
+  std::vector<Program> sliding;                              ///< MechanismContact::sliding
 };
 
 struct CompiledFriction {

@@ -40,6 +40,7 @@ class FormsOfMechanism {
     for (MechanismContact& contact : mechanism_.contacts) {
       contact.gap_form = motion_form(contact.gap, contact.gap_name);
       contact.slip_form = motion_form(contact.slip, contact.slip_name);
+      if (contact.second) contact.second->form = motion_form(contact.second->slip, contact.second->name);
       check_friction(contact, contact.static_friction);
       check_friction(contact, contact.kinetic_friction);
     }
@@ -156,6 +157,7 @@ class FormsOfMechanism {
     for (const MechanismContact& contact : mechanism_.contacts) {
       add(contact.gap_form, contact.normal);
       if (contact.tangent) add(contact.slip_form, *contact.tangent);
+      if (contact.second) add(contact.second->form, contact.second->force);
     }
     for (const MechanismFriction& friction : mechanism_.friction) add(friction.slip_form, friction.force);
     for (const MechanismLink& link : mechanism_.links) add(link.form, link.force);

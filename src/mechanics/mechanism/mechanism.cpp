@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "base/input/diagnostic.hpp"
 #include "mechanics/mechanism/algebra.hpp"
 
 namespace slipproof {
@@ -14,6 +15,14 @@ std::string_view name(MechanismShape::Kind kind) {
 
 Expression MechanismEquation::whole_right() const {
   return contact_forces ? appended(right.expression, contact_forces) : right.expression;
+}
+
+void refuse_other(const Mechanism& mechanism, Dimensions dimensions) {
+  if (mechanism.dimension == 2 || dimensions == Dimensions::any) return;
+  const Place place = mechanism.dimension_place;
+  throw InputError({{mechanism.file, place.line, place.column,
+                     "dimension: found a mechanism in space, expected one in the plane: of scenes in space `solve` finds "
+                     "all motions, `export` writes the contact problem, `show` the equations"}});
 }
 
 std::vector<std::string_view> value_names(const Mechanism& mechanism) {
@@ -30,6 +39,7 @@ std::vector<std::string> acceleration_names(const Mechanism& mechanism) {
   for (const MechanismContact& contact : mechanism.contacts) {
     names.push_back(contact.gap_name);
     if (contact.slip) names.push_back(contact.slip_name);
+    if (contact.second) names.push_back(contact.second->name);
   }
   for (const MechanismFriction& friction : mechanism.friction) names.push_back(friction.slip_name);
   return names;

@@ -1,4 +1,4 @@
-// A planar mechanism with dry friction as data: what a mechanism file says, and what follows from it by virtual work.
+// A mechanism with dry friction as data, in the plane or in space: what a mechanism file says, and what follows from it by virtual work.
 #pragma once
 
 #include <cstddef>
@@ -91,6 +91,15 @@ struct MechanismEquation {
   Expression whole_right() const;
 };
 
+/// The second slip of a contact in space, across the first and the normal.
+struct MechanismSlip {
+  PlacedExpression slip;
+  std::string name;
+  std::size_t force = 0;                  ///< among the unknowns
+  std::vector<PlacedExpression> direction;  ///< where it counts positive
+  SymbolicForm form;
+};
+
 /// A contact. `gap` and `slip` are accelerations: of the opening along N, and along positive slip.
 struct MechanismContact {
   std::string name;
@@ -106,6 +115,9 @@ struct MechanismContact {
   /// Position, direction of N, and direction of positive slip, for pictures; each has two coordinates or none.
   std::vector<PlacedExpression> at, direction, slip_direction;
   SymbolicForm gap_form, slip_form;
+  std::optional<MechanismSlip> second;  ///< in space, with friction
+  /// In space, of a contact that slides: the direction of its sliding velocity, along the first and the second slip.
+  std::vector<PlacedExpression> sliding;
   Place place;
 
   bool frictionless() const { return !static_friction; }
@@ -150,6 +162,8 @@ struct Bodies;
 
 struct Mechanism {
   std::string file, name, source, note;
+  std::size_t dimension = 2;  ///< 2: in the plane; 3: in space, which has bodies
+  Place dimension_place;
   std::vector<MechanismParameter> parameters;
   std::vector<MechanismCondition> assume, realisable;
   std::vector<MechanismDefinition> definitions;
@@ -172,6 +186,12 @@ struct Mechanism {
   /// Contacts and friction elements: what has a state in a mode.
   std::size_t elements() const { return contacts.size() + friction.size(); }
 };
+
+/// Which mechanisms are asked for.
+enum class Dimensions : std::uint8_t { plane, any };
+/// Throws InputError for a mechanism in space if only those in the plane are asked for: whatever knows the plane alone
+/// opens its mechanisms and scenes by functions that call this.
+void refuse_other(const Mechanism& mechanism, Dimensions dimensions);
 
 /// Names of the quantities that have a value at a point of the mechanism: parameters, angles and the load.
 std::vector<std::string_view> value_names(const Mechanism& mechanism);

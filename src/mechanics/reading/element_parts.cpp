@@ -95,18 +95,22 @@ void ElementParts::read_lift_needs(const TableReader& table, MechanismContact& c
 void ElementParts::read_state(const TableReader& table, ElementKind::Start& start, const ElementKind& kind) {
   const PlacedText* text = table.string("state");
   if (text == nullptr) return;
-  start = read_start(text->text(), "state", table.place("state"), kind, context_.mistakes).value_or(start);
+  const auto found =
+      read_start(text->text(), "state", table.place("state"), kind, mechanism_.dimension, context_.mistakes);
+  start = found.value_or(start);
 }
 
-std::vector<PlacedExpression> ElementParts::pair(const TableReader& table, std::string_view key) {
+std::vector<PlacedExpression> ElementParts::coordinates(const TableReader& table, std::string_view key) {
   const TomlValue* value = table.value(key);
-  return value == nullptr ? std::vector<PlacedExpression>{} : pair(*value, key);
+  return value == nullptr ? std::vector<PlacedExpression>{} : coordinates(*value, key);
 }
 
-std::vector<PlacedExpression> ElementParts::pair(const TomlValue& value, std::string_view key) {
+std::vector<PlacedExpression> ElementParts::coordinates(const TomlValue& value, std::string_view key) {
   std::vector<PlacedExpression> result;
-  if (value.kind != TomlValue::Kind::array || value.items.size() != 2) {
-    context_.mistakes.add(value.place, std::string(key) + ": expected two coordinates such as [\"b\", \"-h\"]");
+  if (value.kind != TomlValue::Kind::array || value.items.size() != mechanism_.dimension) {
+    context_.mistakes.add(value.place, std::string(key) + (in_space()
+                                           ? ": expected three coordinates such as [\"b\", \"0\", \"-h\"]"
+                                           : ": expected two coordinates such as [\"b\", \"-h\"]"));
     return result;
   }
   for (const TomlValue& item : value.items) result.push_back(context_.expression(item, key, Sort::number));

@@ -26,9 +26,10 @@ class ElementParts {
   /// `bilateral`, `lift_needs`, `state`.
   void read_contact_states(const TableReader& table, MechanismContact& contact);
   void read_state(const TableReader& table, ElementKind::Start& start, const ElementKind& kind);
-  /// Two coordinates, or none.
-  std::vector<PlacedExpression> pair(const TableReader& table, std::string_view key);
-  std::vector<PlacedExpression> pair(const TomlValue& value, std::string_view key);
+  bool in_space() const { return mechanism_.dimension == 3; }
+  /// Two coordinates, in space three, or none.
+  std::vector<PlacedExpression> coordinates(const TableReader& table, std::string_view key);
+  std::vector<PlacedExpression> coordinates(const TomlValue& value, std::string_view key);
 
   Context& context_;
   Mechanism& mechanism_;

@@ -49,9 +49,9 @@ class ElementReader : public ElementParts {
     }
     contact.gap_name = named(table, "gap_name", "gap_" + contact.name);
     if (table.has("slip")) contact.slip_name = named(table, "slip_name", "slip_" + contact.name);
-    contact.at = pair(table, "at");
-    contact.direction = pair(table, "direction");
-    contact.slip_direction = pair(table, "slip_direction");
+    contact.at = coordinates(table, "at");
+    contact.direction = coordinates(table, "direction");
+    contact.slip_direction = coordinates(table, "slip_direction");
     mechanism_.contacts.push_back(std::move(contact));
   }
 
@@ -106,7 +106,7 @@ class ElementReader : public ElementParts {
     table.require("points", "an array of points such as [[\"b\", \"-h\"]]");
     const TomlValue* points = table.value("points");
     if (points != nullptr && points->kind == TomlValue::Kind::array) {
-      for (const TomlValue& point : points->items) shape.points.push_back(pair(point, "points"));
+      for (const TomlValue& point : points->items) shape.points.push_back(coordinates(point, "points"));
     } else if (points != nullptr) {
       table.refuse("points", "found " + std::string(kind_name(points->kind)) + ", expected an array of points");
     }

@@ -97,11 +97,12 @@ bool within(std::size_t count, std::size_t limit, std::string_view key, Place pl
 }
 
 std::optional<ElementKind::Start> read_start(std::string_view text, std::string_view key, Place place,
-                                             const ElementKind& kind, Mistakes& mistakes) {
+                                             const ElementKind& kind, std::size_t dimension, Mistakes& mistakes) {
   using Start = ElementKind::Start;
-  constexpr std::array<Start, 4> starts{Start::rest, Start::slides_forward, Start::slides_backward, Start::open};
+  std::vector<Start> starts{Start::rest, Start::slides_forward, Start::slides_backward, Start::open};
+  if (dimension == 3) starts.erase(starts.begin() + 2);
   std::vector<std::string_view> words;
-  for (const Start start : starts) words.push_back(name(start));
+  for (const Start start : starts) words.push_back(name(start, dimension));
   const auto refuse = [&](const std::string& why) {
     mistakes.add(place, std::string(key) + ": found " + in_quotes(text) + why);
     return std::nullopt;
@@ -109,7 +110,8 @@ std::optional<ElementKind::Start> read_start(std::string_view text, std::string_
   const auto word = std::find(words.begin(), words.end(), text);
   if (word == words.end()) {
     if (const auto meant = near_match(text, words)) return refuse(", did you mean '" + std::string(*meant) + "'?");
-    return refuse(", expected \"rest\", \"slides+\", \"slides-\" or \"open\"");
+    return refuse(dimension == 3 ? ", expected \"rest\", \"slides\" or \"open\""
+                                 : ", expected \"rest\", \"slides+\", \"slides-\" or \"open\"");
   }
   const Start start = starts[static_cast<std::size_t>(word - words.begin())];
   if (start == Start::open && kind.law == ElementKind::Law::limited) {
@@ -129,10 +131,21 @@ namespace {
 using mechanism_reader::Context;
 
 constexpr std::string_view schema = "slipproof/mechanism/1";
-constexpr std::array<std::string_view, 25> mechanism_keys{
-    "schema", "name",  "source",   "note",  "reciprocal", "parameters", "assume", "realisable", "definitions",
+constexpr std::array<std::string_view, 26> mechanism_keys{
+    "schema", "dimension", "name",  "source",   "note",  "reciprocal", "parameters", "assume", "realisable", "definitions",
     "angles", "load",  "unknowns", "units", "motion",     "equations",  "energy", "contact",    "friction",
     "link",   "shape", "gravity",  "body",  "joint",      "force",      "torque"};
+
+/// 2 if it is left out.
+std::size_t read_dimension(const TableReader& root) {
+  const TomlValue* value = root.value("dimension");
+  if (value == nullptr) return 2;
+  const std::string found = value->text.text();
+  if (value->kind == TomlValue::Kind::number && (found == "2" || found == "3")) return found == "3" ? 3 : 2;
+  root.refuse("dimension", "found " + (found.empty() ? std::string(kind_name(value->kind)) : in_quotes(found)) +
+                               ", expected 2 for a mechanism in the plane, or 3 for one in space");
+  return 2;
+}
 
 void read_root(const TableReader& root, Context& context, std::optional<BodyGeometry>& geometry) {
   Mechanism& mechanism = context.mechanism;
@@ -143,16 +156,22 @@ void read_root(const TableReader& root, Context& context, std::optional<BodyGeom
   mechanism.name = context.required(root, "name", "the mechanism's name");
   mechanism.source = context.text(root, "source");
   mechanism.note = context.text(root, "note");
+  mechanism.dimension = read_dimension(root);
+  mechanism.dimension_place = root.place("dimension");
   mechanism.reciprocal = root.boolean("reciprocal").value_or(true);
   mechanism_reader::read_symbols(root, context);
   if (root.has("body")) {
     Bodies bodies = mechanism_reader::read_bodies(root, context);
+    if (mechanism.dimension == 3 && root.has("shape")) {
+      root.refuse("shape", "found a drawing in a plane beside bodies in space, expected none");
+    }
     mechanism_reader::read_shapes(root, context);
     mechanism_reader::check_uses(bodies, context);
     if (!context.sound || !context.mistakes.empty()) return;
     geometry = derive_mechanism(bodies, mechanism, context.mistakes);
     mechanism.bodies = std::make_shared<const Bodies>(std::move(bodies));
   } else {
+    if (mechanism.dimension == 3) root.require("body", "bodies, from which the equations of a mechanism in space follow");
     for (const std::string_view key : {"gravity", "joint", "force", "torque"}) {
       if (root.has(key))
         root.refuse(key, "found without [[body]], expected bodies beside it, or [motion] in its place");

@@ -53,6 +53,8 @@ class Context {
 /// No file has more of anything: the work of reading one is bounded.
 inline constexpr std::size_t max_symbols = 1'000, max_unknowns = 64, max_elements = 64, max_bodies = 32,
                              max_shapes = 1'000;
+/// In space, where no mode is tried by itself.
+inline constexpr std::size_t max_elements_in_space = 500, max_bodies_in_space = 250;
 /// Returns whether count <= limit; otherwise reports it.
 bool within(std::size_t count, std::size_t limit, std::string_view key, Place place, Mistakes& mistakes);
 
@@ -79,9 +81,9 @@ void check_whole(Context& context);
 /// mistakes.
 void check_domain(Context& context);
 
-/// "rest", "slides+", "slides-", "open"; nothing, and a report "KEY: found ..." at the place, for anything else and for
-/// what the element cannot be.
+/// "rest", "slides+", "slides-", "open", in space "rest", "slides", "open"; nothing, and a report "KEY: found ..." at the
+/// place, for anything else and for what the element cannot be.
 std::optional<ElementKind::Start> read_start(std::string_view text, std::string_view key, Place place,
-                                             const ElementKind& kind, Mistakes& mistakes);
+                                             const ElementKind& kind, std::size_t dimension, Mistakes& mistakes);
 
 }  // namespace slipproof::mechanism_reader

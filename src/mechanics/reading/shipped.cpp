@@ -21,7 +21,7 @@ Mechanism read_shipped(const ShippedMechanism& shipped) {
   return mechanism;
 }
 
-Mechanism open_mechanism(const std::string& file_or_name, const std::string& directory) {
+Mechanism open_mechanism(const std::string& file_or_name, const std::string& directory, Dimensions dimensions) {
   const std::filesystem::path path = std::filesystem::path(directory) / file_or_name;
   std::error_code error;
   const bool is_there = !file_or_name.empty() && std::filesystem::exists(path, error);
@@ -35,7 +35,9 @@ Mechanism open_mechanism(const std::string& file_or_name, const std::string& dir
     mistakes.add({}, "no such file, and " + unknown_name("mechanism", file_or_name, known));
     mistakes.refuse_if_any();
   }
-  return read_mechanism(path);
+  Mechanism mechanism = read_mechanism(path);
+  refuse_other(mechanism, dimensions);
+  return mechanism;
 }
 
 }  // namespace slipproof

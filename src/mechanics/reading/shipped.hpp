@@ -22,6 +22,7 @@ Mechanism read_shipped(const ShippedMechanism& shipped);
 
 /// The mechanism of a file, or the shipped one of this name if there is no such file. A relative path counts from
 /// `directory`, or from the working directory if that is empty. Throws InputError.
-Mechanism open_mechanism(const std::string& file_or_name, const std::string& directory = {});
+Mechanism open_mechanism(const std::string& file_or_name, const std::string& directory = {},
+                         Dimensions dimensions = Dimensions::plane);
 
 }  // namespace slipproof

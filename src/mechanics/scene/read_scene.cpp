@@ -31,7 +31,7 @@ class MechanismSceneReader {
     const TomlValue* mechanism_value = root_.value("mechanism");
     auto mechanism = mechanism_value != nullptr && mechanism_value->kind == TomlValue::Kind::table
                          ? own_mechanism(*mechanism_value)
-                         : named_mechanism(root_, std::filesystem::path(file_).parent_path().string());
+                         : named_mechanism(root_, std::filesystem::path(file_).parent_path().string(), Dimensions::any);
     if (!mechanism) return {};
     if (const PlacedText* question = root_.string("question")) scene_.question = question->text();
     if (const PlacedText* asked = root_.string("asked")) scene_.asked = asked->text();
@@ -202,14 +202,15 @@ bool names_mechanism(const TomlValue& document) {
 
 }  // namespace
 
-std::optional<Mechanism> named_mechanism(const TableReader& table, const std::string& directory) {
+std::optional<Mechanism> named_mechanism(const TableReader& table, const std::string& directory,
+                                         Dimensions dimensions) {
   if (!table.require("mechanism", "the file of a mechanism, or the name of a shipped one")) return std::nullopt;
   const PlacedText* file = table.string("mechanism");
   const PlacedText* along = table.string("along");
   if (file == nullptr) return std::nullopt;
   std::string_view key = "mechanism";
   try {
-    Mechanism mechanism = open_mechanism(file->text(), directory);
+    Mechanism mechanism = open_mechanism(file->text(), directory, dimensions);
     key = "along";
     return along == nullptr ? std::move(mechanism) : with_load(mechanism, along->text());
   } catch (const InputError& error) {
@@ -235,18 +236,19 @@ void read_states(const TomlValue& table, const Mechanism& mechanism, std::vector
                                           ", expected a state such as \"rest\"");
     } else {
       const auto i = static_cast<std::size_t>(found - names.begin());
-      const auto start =
-          mechanism_reader::read_start(entry.value.text.text(), entry.key, entry.value.place, kinds[i], mistakes);
+      const auto start = mechanism_reader::read_start(entry.value.text.text(), entry.key, entry.value.place, kinds[i],
+                                                      mechanism.dimension, mistakes);
       if (start && mechanism.bodies && *start != starts[i]) {
-        mistakes.add(entry.value.place, entry.key + ": found " + in_quotes(name(*start)) +
-                                            ", but the velocities of the bodies say " + in_quotes(name(starts[i])));
+        mistakes.add(entry.value.place, entry.key + ": found " + in_quotes(name(*start, mechanism.dimension)) +
+                                            ", but the velocities of the bodies say " +
+                                            in_quotes(name(starts[i], mechanism.dimension)));
       }
       starts[i] = start.value_or(starts[i]);
     }
   }
 }
 
-MechanismScene parse_scene(std::string_view text, const std::string& file) {
+MechanismScene parse_scene(std::string_view text, const std::string& file, Dimensions dimensions) {
   Mistakes mistakes(file);
   MechanismScene scene;
   if (const auto document = parse_toml(text, mistakes)) {
@@ -255,11 +257,12 @@ MechanismScene parse_scene(std::string_view text, const std::string& file) {
                                          : read_bicycle_scene(*document, file, mistakes);
   }
   mistakes.refuse_if_any();
+  refuse_other(scene.mechanism, dimensions);
   return scene;
 }
 
-MechanismScene read_scene(const std::filesystem::path& path) {
-  return parse_scene(read_text_file(path), path.string());
+MechanismScene read_scene(const std::filesystem::path& path, Dimensions dimensions) {
+  return parse_scene(read_text_file(path), path.string(), dimensions);
 }
 
 bool is_mechanism_scene(std::string_view text) {

@@ -119,9 +119,9 @@ class GeometryReader {
     frames_ = bodies_in_motion::frames(bodies);
     for (const BodyForce& force : bodies.forces) add_force(force, geometry.pushes);
     for (const BodyTorque& torque : bodies.torques) {
-      const double size = number(torque.is);
+      const double size = number(torque.is.z);
       if (size == 0) continue;
-      const auto [name, value] = text_of(torque.is);
+      const auto [name, value] = text_of(torque.is.z);
       geometry.pushes.push_back({point(frames_[torque.on].at), {0, 0}, size, name, value});
       if (torque.back_on && *torque.back_on != ground)
         geometry.pushes.push_back({point(frames_[*torque.back_on].at), {0, 0}, -size, name, value});
@@ -134,7 +134,7 @@ class GeometryReader {
   }
 
   void add_force(const BodyForce& force, std::vector<MechanismGeometry::Push>& pushes) {
-    const bodies_in_motion::PlanarVector is = bodies_in_motion::unplaced(force.is);
+    const bodies_in_motion::SceneVector is = bodies_in_motion::unplaced(force.is);
     const bodies_in_motion::Frame& on = frames_[force.on];
     const Point push = point(force.follows ? on.in_scene(is) : is),
                 place = point(on.at + on.in_scene(bodies_in_motion::unplaced(force.at)));
@@ -146,7 +146,7 @@ class GeometryReader {
   }
 
   void add_spring(const BodyJoint& joint, std::vector<MechanismGeometry::Push>& pushes) {
-    const auto end = [&](std::size_t body, const PlacedPair& own) {
+    const auto end = [&](std::size_t body, const PlacedVector& own) {
       return point(frames_[body].at + frames_[body].in_scene(bodies_in_motion::unplaced(own)));
     };
     const Point first = end(joint.first, joint.at), second = end(joint.second, joint.to);
@@ -161,12 +161,12 @@ class GeometryReader {
   void add_movement(const Body& body, const bodies_in_motion::Frame& frame, MechanismGeometry& geometry) {
     const bool massless = body.mass && exact(body.mass).is_zero();  // others show how it moves along
     const Point velocity = massless ? Point{0, 0} : point(frame.velocity);
-    const MechanismGeometry::Movement movement{point(frame.at), velocity, number(frame.spin), body.name};
+    const MechanismGeometry::Movement movement{point(frame.at), velocity, number(frame.spin.z), body.name};
     if (movement.velocity != Point{0, 0} || movement.spin != 0) geometry.movements.push_back(movement);
   }
 
   void add_weights(const Bodies& bodies, MechanismGeometry& geometry) {
-    const bodies_in_motion::PlanarVector gravity = bodies_in_motion::unplaced(bodies.gravity);
+    const bodies_in_motion::SceneVector gravity = bodies_in_motion::unplaced(bodies.gravity);
     const Rational gx = exact(gravity.x), gy = exact(gravity.y), square = gx * gx + gy * gy;
     if (square.is_zero()) return;
     const Point down = point(gravity);
@@ -215,7 +215,7 @@ class GeometryReader {
     const bool known = scene_.load || !scene_.mechanism.load;
     return known && named->operation != Operation::number ? rounded_value(number(named)) : std::string();
   }
-  std::pair<std::string, std::string> name_of(const PlacedPair& pair) {
+  std::pair<std::string, std::string> name_of(const PlacedVector& pair) {
     if (is_literal_zero(pair.x.expression)) return text_of(pair.y);
     if (is_literal_zero(pair.y.expression)) return text_of(pair.x);
     return {"(" + to_string(pair.x.expression) + ", " + to_string(pair.y.expression) + ")", {}};
@@ -231,7 +231,7 @@ class GeometryReader {
   Rational exact(const Expression& expression) { return exact(PlacedExpression{expression, {}}); }
   double number(const PlacedExpression& placed) { return nearest_binary64(exact(placed)); }
   double number(const Expression& expression) { return nearest_binary64(exact(expression)); }
-  Point point(const bodies_in_motion::PlanarVector& v) { return {number(v.x), number(v.y)}; }
+  Point point(const bodies_in_motion::SceneVector& v) { return {number(v.x), number(v.y)}; }
   Point pair(const std::vector<PlacedExpression>& two) { return {number(two[0]), number(two[1])}; }
 
   MechanismGeometry::Contact contact(std::size_t index) {

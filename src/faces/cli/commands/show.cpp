@@ -19,8 +19,9 @@ void add_show(CLI::App& app, int& exit_code) {
   command.add_option("--equations", *equations,
                      "Also write the mechanism by its equations, as they follow from its bodies, to this file");
   command.callback([file, equations, &exit_code] {
-    const Mechanism mechanism = open_mechanism(*file);
+    const Mechanism mechanism = open_mechanism(*file, {}, Dimensions::any);
     if (!equations->empty()) {
+      refuse_other(mechanism, Dimensions::plane);
       Inputs inputs;
       inputs.add(mechanism.file);
       write_file(*equations, to_toml(mechanism), inputs);

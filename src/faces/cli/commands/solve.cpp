@@ -2,10 +2,12 @@
 #include <string>
 
 #include "contact/problem/every_push.hpp"
+#include "contact/space/solve_space.hpp"
 #include "faces/cli/command.hpp"
 #include "faces/cli/warnings.hpp"
 #include "mechanics/scene/solve_mechanism.hpp"
 #include "report/scenes/mechanism_report.hpp"
+#include "report/scenes/space_report.hpp"
 
 namespace slipproof::cli {
 
@@ -17,13 +19,25 @@ struct SolveArguments {
   int digits = 6;
 };
 
-void answer(const SolveArguments& arguments) {
-  const SolvedMechanism solved = solve_mechanism(read_scene(arguments.scene));
+Exit answer_in_space(const SolveArguments& arguments, MechanismScene scene) {
+  const SolvedSpace solved = solve_space(std::move(scene));
+  print_warnings(solved.scene.mechanism, arguments.common);
+  print_report(
+      arguments.common, [&] { return space_json(solved); },
+      [&] { return space_document(solved, arguments.digits); });
+  return solved.complete() ? success : undecided;
+}
+
+Exit answer(const SolveArguments& arguments) {
+  MechanismScene scene = read_scene(arguments.scene, Dimensions::any);
+  if (scene.mechanism.dimension == 3) return answer_in_space(arguments, std::move(scene));
+  const SolvedMechanism solved = solve_mechanism(std::move(scene));
   print_warnings(solved.scene.mechanism, arguments.common);
   const auto every_q = for_every_push(solved.problem);
   print_report(
       arguments.common, [&] { return solve_json(solved, every_q); },
       [&] { return solve_document(solved, every_q, arguments.digits); });
+  return success;
 }
 
 }  // namespace
@@ -36,8 +50,7 @@ void add_solve(CLI::App& app, int& exit_code) {
   add_digits_option(command, options->digits);
   add_report_options(command, options->common);
   command.callback([options, &exit_code] {
-    answer(*options);
-    exit_code = success;
+    exit_code = answer(*options);
   });
 }
 

@@ -2,19 +2,39 @@
 
 #include <algorithm>
 
+#include "mechanics/mechanism/algebra.hpp"
+
 namespace slipproof::mechanism_reader {
 
-PlacedPair BodyParts::two(const TableReader& table, std::string_view key) {
+PlacedVector BodyParts::vector(const TableReader& table, std::string_view key) {
   const TomlValue* value = table.value(key);
-  return value == nullptr ? PlacedPair{} : two(*value, key);
+  return value == nullptr ? PlacedVector{} : vector(*value, key);
 }
-PlacedPair BodyParts::two(const TomlValue& value, std::string_view key) {
-  auto both = pair(value, key);
-  if (both.size() != 2) return {{}, {}, value.place};
-  return {std::move(both[0]), std::move(both[1]), value.place};
+PlacedVector BodyParts::vector(const TomlValue& value, std::string_view key) {
+  auto all = coordinates(value, key);
+  all.resize(3);
+  if (in_space()) {
+    for (PlacedExpression& one : all) fold(one);
+  }
+  return {std::move(all[0]), std::move(all[1]), std::move(all[2]), value.place};
+}
+PlacedVector BodyParts::turning(const TableReader& table, std::string_view key) {
+  if (in_space()) return vector(table, key);
+  return {{}, {}, one(table, key), table.place(key)};
 }
 PlacedExpression BodyParts::one(const TableReader& table, std::string_view key) {
-  return context_.expression(table, key, Sort::number);
+  PlacedExpression result = context_.expression(table, key, Sort::number);
+  if (in_space()) fold(result);
+  return result;
+}
+PlacedExpression BodyParts::folded_number(const TomlValue& value, std::string_view key) {
+  PlacedExpression result = context_.expression(value, key, Sort::number);
+  fold(result);
+  return result;
+}
+/// Numbers of a scene in space, of which there may be many, are computed with before anything is derived.
+void BodyParts::fold(PlacedExpression& placed) {
+  if (placed) placed.expression = folded(placed.expression);
 }
 
 std::optional<std::size_t> BodyParts::find_body(const PlacedText& name, std::string_view key) {
@@ -56,7 +76,7 @@ std::pair<std::size_t, std::size_t> BodyParts::read_between(const TableReader& t
 }
 
 bool BodyParts::turns(std::initializer_list<std::size_t> bodies) const {
-  return std::ranges::any_of(bodies, [&](std::size_t i) { return !bodies_.bodies[i].alpha.symbol.empty(); });
+  return std::ranges::any_of(bodies, [&](std::size_t i) { return bodies_.bodies[i].turns_freely(); });
 }
 
 TableReader BodyParts::names_of(const TableReader& table, std::span<const std::string_view> keys) {

@@ -16,9 +16,12 @@ class BodyParts : public ElementParts {
   BodyParts(Context& context, Bodies& bodies) : ElementParts(context), bodies_(bodies) {}
 
  protected:
-  PlacedPair two(const TableReader& table, std::string_view key);
-  PlacedPair two(const TomlValue& value, std::string_view key);
+  PlacedVector vector(const TableReader& table, std::string_view key);
+  PlacedVector vector(const TomlValue& value, std::string_view key);
+  /// A turning, spin or couple: a number in the plane, a vector in space.
+  PlacedVector turning(const TableReader& table, std::string_view key);
   PlacedExpression one(const TableReader& table, std::string_view key);
+  PlacedExpression folded_number(const TomlValue& value, std::string_view key);
   /// The index of the body that a key names. If there is no such body, reports it and returns the ground.
   std::size_t body_of(const TableReader& table, std::string_view key);
   /// The two bodies in `between`.
@@ -34,6 +37,7 @@ class BodyParts : public ElementParts {
  private:
   std::optional<std::size_t> find_body(const PlacedText& name, std::string_view key);
   std::size_t failed();
+  static void fold(PlacedExpression& placed);
 };
 
 /// [[body]] and the unknowns that follow. A mechanism's unknowns come in the order of these calls.

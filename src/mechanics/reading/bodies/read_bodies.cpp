@@ -1,4 +1,5 @@
 #include <array>
+#include <span>
 
 #include "mechanics/reading/bodies/body_parts.hpp"
 
@@ -14,7 +15,8 @@ class BodySceneReader : public BodyParts {
   void read_gravity(const TableReader& root) {
     const TomlValue* value = root.value("gravity");
     if (value == nullptr) {
-      root.require("gravity", "a vector such as [\"0\", \"-g\"], or \"none\" (a table seen from above)");
+      root.require("gravity", in_space() ? "a vector such as [\"0\", \"0\", \"-g\"], or \"none\""
+                                         : "a vector such as [\"0\", \"-g\"], or \"none\" (a table seen from above)");
       context_.sound = false;
     } else if (value->kind == TomlValue::Kind::string && value->text.text() == "none") {
       return;
@@ -23,15 +25,17 @@ class BodySceneReader : public BodyParts {
                   "found " +
                       std::string(value->kind == TomlValue::Kind::string ? in_quotes(value->text.text())
                                                                          : std::string(kind_name(value->kind))) +
-                      ", expected a vector such as [\"0\", \"-g\"], or \"none\"");
+                      (in_space() ? ", expected a vector such as [\"0\", \"0\", \"-g\"], or \"none\""
+                                  : ", expected a vector such as [\"0\", \"-g\"], or \"none\""));
     } else {
-      bodies_.gravity = two(*value, "gravity");
+      bodies_.gravity = vector(*value, "gravity");
     }
   }
 
   void read_forces(const TableReader& root) {
-    for (const TomlValue* force : tables(root, "force", max_elements)) read_force(*force);
-    for (const TomlValue* torque : tables(root, "torque", max_elements)) read_torque(*torque);
+    const std::size_t limit = in_space() ? max_elements_in_space : max_elements;
+    for (const TomlValue* force : tables(root, "force", limit)) read_force(*force);
+    for (const TomlValue* torque : tables(root, "torque", limit)) read_torque(*torque);
   }
 
   /// A body that nothing touches or joins falls out of the picture.
@@ -71,10 +75,10 @@ class BodySceneReader : public BodyParts {
                   "missing a unit, which parameters have, expected one, or none at all (\"1\" for a plain number)");
     }
     for (std::size_t i = 0, body = 1; body < bodies_.bodies.size(); ++body) {
-      for (const Body::Unknown* unknown : {&bodies_.bodies[body].ax, &bodies_.bodies[body].ay}) {
-        if (!unknown->symbol.empty()) mechanism_.unknowns[i++].unit = "m/s^2";
+      const auto& unknowns = bodies_.bodies[body].unknowns;
+      for (std::size_t k = 0; k < unknowns.size(); ++k) {
+        if (!unknowns[k].symbol.empty()) mechanism_.unknowns[i++].unit = k < 3 ? "m/s^2" : "s^-2";
       }
-      if (!bodies_.bodies[body].alpha.symbol.empty()) mechanism_.unknowns[i++].unit = "s^-2";
     }
   }
 
@@ -93,28 +97,34 @@ class BodySceneReader : public BodyParts {
     BodyForce force;
     force.place = value.place;
     force.on = body_of(table, "on");
-    force.at = two(table, "at");
-    table.require("is", "the force, such as [\"0\", \"-W\"]");
-    force.is = two(table, "is");
-    if (const PlacedText* axes = table.string("axes")) {
-      force.follows = axes->text() == "body";
-      if (!force.follows && axes->text() != "scene") {
-        table.refuse("axes", "found " + in_quotes(axes->text()) + ", expected \"scene\" or \"body\"");
-      }
-    }
+    force.at = vector(table, "at");
+    table.require("is", in_space() ? "the force, such as [\"0\", \"0\", \"-W\"]" : "the force, such as [\"0\", \"-W\"]");
+    force.is = vector(table, "is");
+    force.follows = read_follows(table);
     if (table.has("back_on")) force.back_on = body_of(table, "back_on");
     check_pushed(table, force.on, force.back_on);
     bodies_.forces.push_back(std::move(force));
   }
 
+  /// Whether `axes` says that a force or couple turns with the body.
+  static bool read_follows(const TableReader& table) {
+    const PlacedText* axes = table.string("axes");
+    if (axes == nullptr || axes->text() == "scene") return false;
+    if (axes->text() == "body") return true;
+    table.refuse("axes", "found " + in_quotes(axes->text()) + ", expected \"scene\" or \"body\"");
+    return false;
+  }
+
   void read_torque(const TomlValue& value) {
-    static constexpr std::array<std::string_view, 3> keys{"on", "is", "back_on"};
+    static constexpr std::array<std::string_view, 4> all{"on", "is", "back_on", "axes"};
+    const std::span<const std::string_view> keys(all.data(), in_space() ? 4 : 3);
     const TableReader table(value, "[[torque]]", keys, context_.mistakes);
     BodyTorque torque;
     torque.place = value.place;
     torque.on = body_of(table, "on");
-    table.require("is", "the couple, counterclockwise");
-    torque.is = one(table, "is");
+    table.require("is", in_space() ? "the couple, such as [\"0\", \"0\", \"T\"]" : "the couple, counterclockwise");
+    torque.is = turning(table, "is");
+    if (in_space()) torque.follows = read_follows(table);
     if (table.has("back_on")) torque.back_on = body_of(table, "back_on");
     check_pushed(table, torque.on, torque.back_on);
     bodies_.torques.push_back(std::move(torque));

@@ -19,7 +19,8 @@ class BodyListReader : public BodyParts {
     Body still;
     still.name = "ground";
     bodies_.bodies.push_back(std::move(still));
-    const auto found = tables(root, "body", max_bodies);
+    bodies_.dimension = mechanism_.dimension;
+    const auto found = tables(root, "body", in_space() ? max_bodies_in_space : max_bodies);
     std::size_t moving = 0;
     for (const TomlValue* body : found) moving += body->find("mass") != nullptr ? 1 : 0;
     for (const TomlValue* body : found) read_body(*body, moving == 1);
@@ -30,8 +31,9 @@ class BodyListReader : public BodyParts {
 
  private:
   void read_body(const TomlValue& value, bool alone) {
-    static constexpr std::array<std::string_view, 11> keys{
-        "name", "mass", "inertia", "at", "angle", "velocity", "spin", "acceleration", "turning", "shape", "names"};
+    std::array<std::string_view, 11> keys{"name", "mass",         "inertia", "at",    "angle", "velocity",
+                                          "spin", "acceleration", "turning", "shape", "names"};
+    if (in_space()) keys[4] = "turn";
     const TableReader table(value, "[[body]]", keys, context_.mistakes);
     Body body;
     body.place = value.place;
@@ -42,13 +44,13 @@ class BodyListReader : public BodyParts {
       declare_body(body.name, table.place("name"));
     }
     body.mass = one(table, "mass");
-    body.inertia = one(table, "inertia");
-    body.at = two(table, "at");
-    read_angle(table, body);
-    body.velocity = two(table, "velocity");
-    body.spin = one(table, "spin");
-    body.acceleration = two(table, "acceleration");
-    body.turning = one(table, "turning");
+    read_inertia(table, body);
+    body.at = vector(table, "at");
+    in_space() ? read_turn(table, body) : read_angle(table, body);
+    body.velocity = vector(table, "velocity");
+    body.spin = turning(table, "spin");
+    body.acceleration = vector(table, "acceleration");
+    body.turning = turning(table, "turning");
     if (const TomlValue* shapes = table.value("shape")) read_shapes(*shapes, body);
     check_motion(table, body);
     name_unknowns(table, body, alone);
@@ -69,13 +71,49 @@ class BodyListReader : public BodyParts {
     }
   }
 
+  void read_inertia(const TableReader& table, Body& body) {
+    const TomlValue* value = table.value("inertia");
+    if (value == nullptr) return;
+    if (!in_space()) {
+      body.inertia.entries[2] = one(table, "inertia");
+      return;
+    }
+    if (value->kind != TomlValue::Kind::array || (value->items.size() != 3 && value->items.size() != 6)) {
+      return table.refuse("inertia",
+                          "expected three numbers xx yy zz, or six xx yy zz xy xz yz: the entries of its matrix about "
+                          "the centre of mass, in the axes of the body");
+    }
+    for (std::size_t i = 0; i < value->items.size(); ++i) {
+      body.inertia.entries[i] = folded_number(value->items[i], "inertia");
+    }
+  }
+
+  void read_turn(const TableReader& table, Body& body) {
+    const TomlValue* value = table.value("turn");
+    if (value == nullptr) return;
+    if (value->kind == TomlValue::Kind::array && value->items.size() == 4) {
+      for (std::size_t i = 0; i < 4; ++i) body.quaternion[i] = folded_number(value->items[i], "turn");
+    } else if (value->kind == TomlValue::Kind::table) {
+      static constexpr std::array<std::string_view, 2> keys{"axis", "angle"};
+      const TableReader turn(*value, "turn", keys, context_.mistakes);
+      turn.require("axis", "the axis, of length 1, such as [\"0\", \"0\", \"1\"]");
+      turn.require("angle", "the name of an entry of [angles], or [\"cosine\", \"sine\"]");
+      body.turn_axis = vector(turn, "axis");
+      read_angle(turn, body);
+    } else {
+      table.refuse("turn",
+                   "expected a quaternion w x y z such as [\"1\", \"0\", \"0\", \"0\"], or { axis = [\"0\", \"0\", "
+                   "\"1\"], angle = \"theta\" }");
+    }
+  }
+
   void read_angle(const TableReader& table, Body& body) {
     const TomlValue* value = table.value("angle");
     if (value == nullptr) return;
     if (value->kind == TomlValue::Kind::array) {
-      PlacedPair circle = two(*value, "angle");
-      body.cosine = std::move(circle.x);
-      body.sine = std::move(circle.y);
+      if (value->items.size() != 2) return table.refuse("angle", "expected two numbers, [\"cosine\", \"sine\"]");
+      body.cosine = context_.expression(value->items[0], "angle", Sort::number);
+      body.sine = context_.expression(value->items[1], "angle", Sort::number);
       return;
     }
     std::vector<std::string_view> known;
@@ -128,14 +166,18 @@ class BodyListReader : public BodyParts {
   }
 
   void name_unknowns(const TableReader& table, Body& body, bool alone) {
-    static constexpr std::array<std::string_view, 3> keys{"ax", "ay", "alpha"};
+    static constexpr std::array<std::string_view, 6> in_plane{"ax", "ay", "", "", "", "alpha"},
+        spatial{"ax", "ay", "az", "alphax", "alphay", "alphaz"};
+    const auto& keys = in_space() ? spatial : in_plane;
+    std::vector<std::string_view> named;
+    std::ranges::copy_if(keys, std::back_inserter(named), [](std::string_view key) { return !key.empty(); });
     const TomlValue* names = table.value("names") == nullptr ? nullptr : table.table("names");
     std::optional<TableReader> given;
-    if (names != nullptr) given.emplace(*names, "names", keys, context_.mistakes);
-    const std::array<Body::Unknown*, 3> unknowns{&body.ax, &body.ay, &body.alpha};
-    for (std::size_t i = 0; i < unknowns.size(); ++i) {
-      const bool exists = !body.is_prescribed() && (i < 2 || body.inertia);
-      Body::Unknown& unknown = *unknowns[i];
+    if (names != nullptr) given.emplace(*names, "names", named, context_.mistakes);
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      if (keys[i].empty()) continue;
+      const bool exists = !body.is_prescribed() && (i < 3 || body.turns_freely());
+      Body::Unknown& unknown = body.unknowns[i];
       unknown.place = table.place("name");
       std::string text = given ? context_.text(*given, keys[i]) : std::string();
       if (!text.empty()) unknown.place = given->place(keys[i]);
@@ -150,10 +192,10 @@ class BodyListReader : public BodyParts {
   }
 
   void declare_unknowns(const Body& body) {
-    for (const Body::Unknown* unknown : {&body.ax, &body.ay, &body.alpha}) {
-      if (unknown->symbol.empty()) continue;
-      context_.declare(unknown->symbol, unknown->place);
-      mechanism_.unknowns.push_back({unknown->symbol, Role::acceleration, 0, {}, unknown->place});
+    for (const Body::Unknown& unknown : body.unknowns) {
+      if (unknown.symbol.empty()) continue;
+      context_.declare(unknown.symbol, unknown.place);
+      mechanism_.unknowns.push_back({unknown.symbol, Role::acceleration, 0, {}, unknown.place});
       ++mechanism_.accelerations;
     }
   }
@@ -167,51 +209,85 @@ class BodyListReader : public BodyParts {
   }
 
   void read_shape(const TomlValue& value, Body& body) {
-    static constexpr std::array<std::string_view, 5> keys{"polygon", "line", "box", "circle", "at"};
+    using Kind = BodyShape::Kind;
+    struct Word {
+      std::string_view key;
+      Kind kind;
+    };
+    static constexpr std::array<Word, 4> in_plane{
+        {{"polygon", Kind::polygon}, {"line", Kind::line}, {"box", Kind::box}, {"circle", Kind::circle}}};
+    static constexpr std::array<Word, 5> spatial{{{"box", Kind::box},
+                                                  {"sphere", Kind::sphere},
+                                                  {"cylinder", Kind::cylinder},
+                                                  {"capsule", Kind::capsule},
+                                                  {"hull", Kind::hull}}};
+    const std::span<const Word> words = in_space() ? std::span<const Word>(spatial) : std::span<const Word>(in_plane);
     if (value.kind != TomlValue::Kind::table) {
       context_.mistakes.add(value.place, "shape: found " + std::string(kind_name(value.kind)) +
-                                             ", expected a table such as { box = [\"2*b\", \"2*h\"] }");
+                                             ", expected a table such as { box = [\"2*b\", " +
+                                             (in_space() ? "\"2*b\", " : "") + "\"2*h\"] }");
       return;
     }
+    std::vector<std::string_view> keys{"at"};
+    if (in_space()) keys.push_back("axis");
+    for (const Word& word : words) keys.push_back(word.key);
     const TableReader table(value, "shape", keys, context_.mistakes);
-    using Kind = BodyShape::Kind;
     BodyShape shape;
     shape.place = value.place;
+    std::string list, key;
     std::size_t kinds = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      if (!table.has(keys[i])) continue;
+    for (const Word& word : words) {
+      list += (list.empty() ? "" : ", ") + std::string(word.key);
+      if (!table.has(word.key)) continue;
       ++kinds;
-      shape.kind = std::array{Kind::polygon, Kind::line, Kind::box, Kind::circle}[i];
+      shape.kind = word.kind;
+      key = word.key;
     }
-    if (kinds != 1) {
-      context_.mistakes.add(value.place, "shape: expected one of polygon, line, box, circle");
-      return;
-    }
-    const bool by_points = shape.kind == Kind::polygon || shape.kind == Kind::line;
-    if (by_points) {
-      read_points(table, shape);
-      if (table.has("at")) table.refuse("at", "found together with points, expected it with box or circle");
-    } else {
-      if (table.has("at")) shape.points.push_back(two(table, "at"));
-      shape.radius = shape.kind == Kind::circle ? one(table, "circle") : PlacedExpression{};
-      if (shape.kind == Kind::box) {
-        PlacedPair size = two(table, "box");
-        shape.width = std::move(size.x);
-        shape.height = std::move(size.y);
+    if (kinds != 1) return context_.mistakes.add(value.place, "shape: expected one of " + list);
+    if (shape.kind == Kind::polygon || shape.kind == Kind::line || shape.kind == Kind::hull) {
+      read_points(table, shape, key);
+      if (table.has("at")) {
+        table.refuse("at", in_space() ? "found together with points, expected it with another kind"
+                                      : "found together with points, expected it with box or circle");
       }
+    } else {
+      if (table.has("at")) shape.points.push_back(vector(table, "at"));
+      read_size(table, shape, key);
     }
     body.shapes.push_back(std::move(shape));
   }
 
-  void read_points(const TableReader& table, BodyShape& shape) {
-    const bool line = shape.kind == BodyShape::Kind::line;
-    const std::string_view key = line ? "line" : "polygon";
+  void read_size(const TableReader& table, BodyShape& shape, const std::string& key) {
+    using Kind = BodyShape::Kind;
+    const bool is_long = shape.kind == Kind::cylinder || shape.kind == Kind::capsule;
+    if (table.has("axis") && !is_long) table.refuse("axis", "a " + key + " has none");
+    if (shape.kind == Kind::box) {
+      PlacedVector size = vector(table, "box");
+      shape.width = std::move(size.x);
+      (in_space() ? shape.depth : shape.height) = std::move(size.y);
+      if (in_space()) shape.height = std::move(size.z);
+    } else if (is_long) {
+      const TomlValue& value = *table.value(key);
+      if (value.kind != TomlValue::Kind::array || value.items.size() != 2) {
+        return table.refuse(key, "expected a radius and a length such as [\"r\", \"l\"]");
+      }
+      shape.radius = folded_number(value.items[0], key);
+      shape.height = folded_number(value.items[1], key);
+      shape.axis = vector(table, "axis");
+    } else {
+      shape.radius = one(table, key);
+    }
+  }
+
+  void read_points(const TableReader& table, BodyShape& shape, const std::string& key) {
     const TomlValue* points = table.value(key);
     if (points->kind != TomlValue::Kind::array) {
       return table.refuse(key, "found " + std::string(kind_name(points->kind)) + ", expected an array of points");
     }
-    for (const TomlValue& point : points->items) shape.points.push_back(two(point, key));
-    const std::size_t needed = line ? 2 : 3;
+    for (const TomlValue& point : points->items) shape.points.push_back(vector(point, key));
+    const std::size_t needed = shape.kind == BodyShape::Kind::line   ? 2
+                               : shape.kind == BodyShape::Kind::hull ? 1
+                                                                     : 3;
     if (shape.points.size() < needed) {
       table.refuse(key, "found " + std::to_string(shape.points.size()) + " points, expected " + std::to_string(needed) +
                             " or more");

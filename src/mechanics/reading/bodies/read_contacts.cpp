@@ -13,21 +13,30 @@ class BodyContactReader : public BodyParts {
   using BodyParts::BodyParts;
 
   void read_contacts(const TableReader& root) {
-    for (const TomlValue* contact : tables(root, "contact", max_elements)) read_contact(*contact);
+    for (const TomlValue* contact : tables(root, "contact", in_space() ? max_elements_in_space : max_elements)) read_contact(*contact);
   }
   void read_frictions(const TableReader& root) {
+    if (in_space() && root.has("friction")) {
+      return root.refuse("friction", "found a friction element with a limit of its own, which only mechanisms in the "
+                                     "plane have, expected friction at contacts");
+    }
     for (const TomlValue* friction : tables(root, "friction", max_elements)) read_friction(*friction);
     for (BodyContact& contact : bodies_.contacts) add_rolling(contact);
   }
 
  private:
   void read_contact(const TomlValue& value) {
-    static constexpr std::array<std::string_view, 16> keys{
+    static constexpr std::array<std::string_view, 16> in_plane{
         "name",      "of",         "point",    "radius",         "on",
         "normal",    "through",    "friction", "on_point",       "on_radius",
         "bilateral", "lift_needs", "state",    "slip_direction", "rolling_resistance",
         "names"};
+    static constexpr std::array<std::string_view, 15> spatial{
+        "name",     "of",        "point",      "radius", "on",     "normal",  "through", "friction", "on_point",
+        "on_radius", "bilateral", "lift_needs", "state",  "tangent", "names"};
     static constexpr std::array<std::string_view, 5> name_keys{"N", "S", "gap", "slip", "rolling"};
+    const std::span<const std::string_view> keys =
+        in_space() ? std::span<const std::string_view>(spatial) : std::span<const std::string_view>(in_plane);
     const bool by_equations = value.find("gap") != nullptr || value.find("slip") != nullptr;
     const TableReader table(value, by_equations ? "[[contact]] of a file with [[body]]" : "[[contact]]", keys,
                             context_.mistakes);
@@ -41,7 +50,17 @@ class BodyContactReader : public BodyParts {
     touch.contact = mechanism_.contacts.size();
     touch.state_given = table.has("state");
     read_touch(table, touch);
-    const TableReader names = names_of(table, name_keys);
+    if (in_space()) {
+      name_in_space(table, contact, touch);
+    } else {
+      name_in_plane(names_of(table, name_keys), contact, touch);
+    }
+    touch.well_named = named_well_;
+    mechanism_.contacts.push_back(std::move(contact));
+    bodies_.contacts.push_back(std::move(touch));
+  }
+
+  void name_in_plane(const TableReader& names, MechanismContact& contact, BodyContact& touch) {
     contact.normal = unknown(names, "N", "N_" + contact.name, Role::normal, touch.contact);
     if (!contact.frictionless()) {
       contact.tangent = unknown(names, "S", "S_" + contact.name, Role::tangent, touch.contact);
@@ -51,9 +70,25 @@ class BodyContactReader : public BodyParts {
     contact.gap_name = named(names, "gap", "gap_" + contact.name);
     if (!contact.frictionless()) contact.slip_name = named(names, "slip", "slip_" + contact.name);
     touch.rolling_force = context_.text(names, "rolling");
-    touch.well_named = named_well_;
-    mechanism_.contacts.push_back(std::move(contact));
-    bodies_.contacts.push_back(std::move(touch));
+  }
+
+  void name_in_space(const TableReader& table, MechanismContact& contact, BodyContact& touch) {
+    static constexpr std::array<std::string_view, 6> keys{"N", "T1", "T2", "gap", "slip", "slip2"};
+    const TableReader names = names_of(table, keys);
+    contact.normal = unknown(names, "N", "N_" + contact.name, Role::normal, touch.contact);
+    contact.gap_name = named(names, "gap", "gap_" + contact.name);
+    if (contact.frictionless()) {
+      for (const std::string_view key : {"T1", "T2"}) {
+        if (names.has(key)) names.refuse(key, "found the name of a force that a frictionless contact does not have");
+      }
+      return;
+    }
+    contact.tangent = unknown(names, "T1", "T1_" + contact.name, Role::tangent, touch.contact);
+    contact.slip_name = named(names, "slip", "slip_" + contact.name);
+    MechanismSlip second;
+    second.force = unknown(names, "T2", "T2_" + contact.name, Role::tangent, touch.contact);
+    second.name = named(names, "slip2", "slip2_" + contact.name);
+    contact.second = std::move(second);
   }
 
   void check_pair(const TableReader& table, const BodyContact& touch) {
@@ -71,14 +106,18 @@ class BodyContactReader : public BodyParts {
     if (table.has("on")) touch.on = body_of(table, "on");
     check_pair(table, touch);
     table.require("point", "the point that touches, or the centre of the disc");
-    touch.point = two(table, "point");
+    touch.point = vector(table, "point");
     touch.radius = one(table, "radius");
-    touch.normal = two(table, "normal");
-    touch.through = two(table, "through");
-    touch.on_point = two(table, "on_point");
+    touch.normal = vector(table, "normal");
+    touch.through = vector(table, "through");
+    touch.on_point = vector(table, "on_point");
     touch.on_radius = one(table, "on_radius");
-    touch.slip_direction = two(table, "slip_direction");
-    touch.rolling_resistance = one(table, "rolling_resistance");
+    if (in_space()) {
+      touch.tangent = vector(table, "tangent");
+    } else {
+      touch.slip_direction = vector(table, "slip_direction");
+      touch.rolling_resistance = one(table, "rolling_resistance");
+    }
     if (table.has("on_radius")) {
       table.require("on_point", "the centre of the disc that is touched");
       for (const std::string_view key : {"normal", "through"}) {
@@ -89,7 +128,7 @@ class BodyContactReader : public BodyParts {
       if (table.has("on_point")) table.require("on_radius", "the radius of the disc that is touched");
       touch.on_radius = {};
     }
-    if (!table.has("rolling_resistance")) return;
+    if (in_space() || !table.has("rolling_resistance")) return;
     if (!table.has("radius")) {
       table.refuse("rolling_resistance", "found it at a point, expected a disc: missing radius");
     }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <span>
 #include <tuple>
 
 #include "mechanics/reading/bodies/body_parts.hpp"
@@ -15,17 +16,18 @@ class JointReader : public BodyParts {
   using BodyParts::BodyParts;
 
   void read(const TableReader& root) {
-    for (const TomlValue* joint : tables(root, "joint", max_elements)) read_joint(*joint);
+    for (const TomlValue* joint : tables(root, "joint", in_space() ? max_elements_in_space : max_elements)) read_joint(*joint);
   }
 
   void add_links(BodyJoint& joint) {
     using Kind = BodyJoint::Kind;
-    const auto add = [&](std::size_t key, const std::string& suffix) {
+    const Kind kind = joint.kind;
+    const auto add = [&](std::string_view key, const std::string& suffix) {
       MechanismLink link;
       link.place = joint.place;
       link.name = joint.name + suffix;
-      const std::string& given = joint.force_names[key];
-      const std::string symbol = given.empty() ? "R_" + link.name : given;
+      const auto given = joint.force_names.find(key);
+      const std::string symbol = given == joint.force_names.end() ? "R_" + link.name : given->second;
       if (joint.well_named) {
         if (!suffix.empty()) context_.declare_element(link.name, joint.place);
         context_.declare(symbol, joint.place);
@@ -35,28 +37,42 @@ class JointReader : public BodyParts {
       joint.links.push_back(mechanism_.links.size());
       mechanism_.links.push_back(std::move(link));
     };
-    if (joint.kind == Kind::pin || joint.kind == Kind::weld) add(0, "_x"), add(1, "_y");
-    if (joint.kind == Kind::slider) add(3, "_across");
+    const auto several = [&](const std::string& key, std::size_t count) {
+      for (std::size_t i = 1; i <= count; ++i) add(key + std::to_string(i), "_" + key + std::to_string(i));
+    };
+    const bool slides = kind == Kind::slider || kind == Kind::cylindrical, rigid = kind == Kind::weld;
+    if (kind == Kind::pin || rigid || kind == Kind::ball || kind == Kind::hinge || kind == Kind::universal) {
+      add("x", "_x"), add("y", "_y");
+      if (in_space()) add("z", "_z");
+    }
+    if (slides && !in_space()) add("across", "_across");
+    if (slides && in_space()) several("across", 2);
     // nothing is linked where neither turns by itself
-    const bool linked = turns({joint.first, joint.second});
-    if ((joint.kind == Kind::weld || joint.kind == Kind::slider) && linked) add(2, "_turn");
-    if (joint.kind == Kind::rod || (joint.kind == Kind::gear && !joint.contact)) add(4, "");
+    if (turns({joint.first, joint.second})) {
+      if ((rigid || kind == Kind::slider) && !in_space()) add("turn", "_turn");
+      if ((rigid || kind == Kind::slider) && in_space()) several("turn", 3);
+      if (kind == Kind::hinge || kind == Kind::cylindrical) several("turn", 2);
+      if (kind == Kind::universal) several("turn", 1);
+    }
+    if (kind == Kind::rod || (kind == Kind::gear && !joint.contact)) add("force", "");
   }
 
  private:
   void read_joint(const TomlValue& value) {
-    static constexpr std::array<std::string_view, 13> keys{"name",      "kind",   "between", "at",    "to",
-                                                           "axis",      "length", "force",   "ratio", "carrier",
-                                                           "one_sided", "state",  "names"};
+    static constexpr std::array<std::string_view, 14> all{"name",      "kind",   "between", "at",    "to",
+                                                          "axis",      "length", "force",   "ratio", "carrier",
+                                                          "one_sided", "state",  "names",   "to_axis"};
+    const std::span<const std::string_view> keys(all.data(), in_space() ? 14 : 13);
     const TableReader table(value, "[[joint]]", keys, context_.mistakes);
     BodyJoint joint;
     joint.place = value.place;
     joint.name = name_of(table);
     const bool known = read_kind(table, joint);
     std::tie(joint.first, joint.second) = read_between(table);
-    joint.at = two(table, "at");
-    joint.to = two(table, "to");
-    joint.axis = two(table, "axis");
+    joint.at = vector(table, "at");
+    joint.to = vector(table, "to");
+    joint.axis = vector(table, "axis");
+    joint.to_axis = in_space() ? vector(table, "to_axis") : PlacedVector{};
     joint.length = one(table, "length");
     joint.tension = one(table, "force");
     joint.ratio = one(table, "ratio");
@@ -64,15 +80,21 @@ class JointReader : public BodyParts {
     joint.state_given = table.has("state");
     if (known) check_keys(table, joint);
     if (context_.sound) check_free(table, joint);
-    static constexpr std::array<std::string_view, 5> name_keys{"x", "y", "turn", "across", "force"};
+    static constexpr std::array<std::string_view, 5> in_plane{"x", "y", "turn", "across", "force"};
+    static constexpr std::array<std::string_view, 9> spatial{"x",       "y",     "z",     "across1", "across2",
+                                                             "turn1",   "turn2", "turn3", "force"};
+    const std::span<const std::string_view> name_keys =
+        in_space() ? std::span<const std::string_view>(spatial) : std::span<const std::string_view>(in_plane);
     const TableReader names = names_of(table, name_keys);
     joint.well_named = named_well_;
-    for (std::size_t i = 0; i < name_keys.size() && table.has("names"); ++i) {
-      joint.force_names[i] = context_.text(names, name_keys[i]);
+    for (const std::string_view key : name_keys) {
+      const std::string given = table.has("names") ? context_.text(names, key) : std::string();
+      if (!given.empty()) joint.force_names.emplace(key, given);
     }
     if (joint.kind == BodyJoint::Kind::rope ||
         (joint.kind == BodyJoint::Kind::gear && table.boolean("one_sided").value_or(false))) {
-      add_one_sided(table, joint, joint.force_names.back());
+      const auto force = joint.force_names.find("force");
+      add_one_sided(table, joint, force == joint.force_names.end() ? std::string() : force->second);
     }
     bodies_.joints.push_back(std::move(joint));
   }
@@ -89,12 +111,14 @@ class JointReader : public BodyParts {
   }
 
   bool read_kind(const TableReader& table, BodyJoint& joint) {
-    const std::string found = context_.required(table, "kind", "pin, slider, weld, rod, rope, spring or gear");
+    const std::string found = context_.required(
+        table, "kind",
+        in_space() ? "ball, hinge, slider, cylindrical, universal, weld, rod, rope, spring or gear"
+                   : "pin, slider, weld, rod, rope, spring or gear");
+    const auto kinds = joint_kinds_of(mechanism_.dimension);
     const auto word = std::ranges::find(joint_kinds, found);
-    if (word == joint_kinds.end()) {
-      if (!found.empty()) {
-        table.refuse("kind", unknown_name("kind of joint", found, {joint_kinds.begin(), joint_kinds.end()}));
-      }
+    if (word == joint_kinds.end() || std::ranges::find(kinds, found) == kinds.end()) {
+      if (!found.empty()) table.refuse("kind", unknown_name("kind of joint", found, {kinds.begin(), kinds.end()}));
       context_.sound = false;
       return false;
     }
@@ -114,8 +138,17 @@ class JointReader : public BodyParts {
     };
     rule("at", kind != Kind::gear, kind != Kind::gear, "the point of the first body");
     rule("to", kind != Kind::gear, span, "the point of the second body");
-    rule("axis", kind == Kind::slider, kind == Kind::slider,
-         "the direction in which it slides, such as [\"1\", \"0\"]");
+    const bool slides = kind == Kind::slider || kind == Kind::cylindrical;
+    const bool gear_in_space = kind == Kind::gear && in_space();
+    rule("axis", slides || kind == Kind::hinge || kind == Kind::universal || gear_in_space,
+         slides || kind == Kind::hinge || kind == Kind::universal || gear_in_space,
+         !in_space() ? "the direction in which it slides, such as [\"1\", \"0\"]"
+         : slides    ? "the direction in which it slides, such as [\"1\", \"0\", \"0\"]"
+                     : "the axis about which it turns, such as [\"0\", \"1\", \"0\"]");
+    if (in_space()) {
+      rule("to_axis", kind == Kind::universal || gear_in_space, kind == Kind::universal,
+           "the other axis, in the axes of the second body");
+    }
     rule("length", span, span, "the length between its ends");
     rule("force", kind == Kind::spring, kind == Kind::spring, "the tension of the spring now, such as \"k*x\"");
     rule("ratio", kind == Kind::gear, kind == Kind::gear, "the second body's turning over the first's");

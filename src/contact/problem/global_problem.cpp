@@ -1,4 +1,4 @@
-#include "contact/exchange/global_problem.hpp"
+#include "contact/problem/global_problem.hpp"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/problem/problem.hpp"
+#include "base/algebra/elimination.hpp"
 
 namespace slipproof {
 

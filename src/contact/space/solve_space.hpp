@@ -1,0 +1,42 @@
+// All motions of a scene in space.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/number/effort.hpp"
+#include "contact/complete/complete.hpp"
+#include "mechanics/kernel/polyhedron.hpp"
+#include "mechanics/scene/scene.hpp"
+
+namespace slipproof {
+
+/// Accelerations for which forces exist that satisfy the law. Ranges hold them; a range is a point where it is known
+/// exactly.
+struct SpaceMotion {
+  std::vector<std::string> modes;            ///< `stick`, `slip`, `lift` or, without friction, `touch`, of each contact
+  std::vector<std::optional<Range>> slips;   ///< of each contact that slips: the angle from T1 towards T2, in degrees
+  std::vector<Range> accelerations;          ///< in the order of acceleration_names()
+  std::vector<std::optional<Range>> forces;  ///< of force_names(); nothing: left open by links that say the same
+  bool exists = true;                        ///< it is proved that there is one in these ranges
+  bool unique = true;                        ///< and only one
+  std::size_t open_directions = 0;           ///< of its forces: those above are some of them
+  bool strict = false;                       ///< no condition of its mode holds with equality
+};
+
+struct SolvedSpace {
+  MechanismScene scene;
+  std::vector<SpaceMotion> motions;
+  std::vector<std::string> undecided;  ///< patterns in which other motions may be
+  std::optional<double> open_speed;    ///< there no gap or slip acceleration is larger
+  std::size_t programs = 0;            ///< linear programs that were solved
+
+  bool complete() const { return undecided.empty(); }
+};
+
+/// At the scene's load. Throws InputError as space_problem() and reduced() do, and std::runtime_error in a build without
+/// Clp.
+SolvedSpace solve_space(MechanismScene scene, const CompleteOptions& options = {});
+
+}  // namespace slipproof

@@ -1,0 +1,129 @@
+#include "report/scenes/space_report.hpp"
+
+#include <fmt/format.h>
+
+#include "base/number/format.hpp"
+#include "base/output/listed.hpp"
+#include "mechanics/mechanism/words.hpp"
+#include "report/scenes/mechanism_report.hpp"
+#include "report/values/exact_json.hpp"
+#include "report/values/mode_json.hpp"
+#include "report/values/number_text.hpp"
+
+namespace slipproof {
+
+namespace {
+
+std::string mode_of(const SpaceMotion& motion) {
+  return motion.modes.empty() ? "free" : listed(motion.modes, "/");
+}
+
+class SpaceText {
+ public:
+  SpaceText(const SolvedSpace& solved, int digits) : solved_(solved), m_(solved.scene.mechanism), digits_(digits) {}
+
+  Document whole() {
+    document_ = scene_document(solved_.scene, m_.name + ", " + counted(m_.contacts.size(), "contact") + " in space");
+    std::string heading = counted(solved_.motions.size(), "motion");
+    if (m_.load) {
+      heading = fmt::format("{} = {} {}: {}", m_.load->symbol, exact_text(*solved_.scene.load), m_.load->unit, heading);
+    }
+    heading += solved_.complete() ? ", and it is proved that there is no other" : ", and there may be others";
+    Document& section = document_.section(heading);
+    for (const SpaceMotion& motion : solved_.motions) write(section, motion);
+    if (!solved_.complete()) write_undecided();
+    document_.status(fmt::format("s {} motions {} undecided {}", solved_.complete() ? "COMPLETE" : "UNDECIDED",
+                                 solved_.motions.size(), solved_.undecided.size()));
+    return std::move(document_);
+  }
+
+ private:
+  std::string text_of(const Range& range) const {
+    if (range.is_point()) return number_text(*range.lower, digits_);
+    return "in [" + decimal_text(*range.lower, digits_ + 6) + ", " + decimal_text(*range.upper, digits_ + 6) + "]";
+  }
+
+  void write(Document& document, const SpaceMotion& motion) const {
+    Document& below = document.section(mode_of(motion) + (motion.strict ? "  (strict)" : ""));
+    if (!motion.unique) below.line("one of a continuum of motions that are near or move differently");
+    if (motion.open_directions > 0) {
+      below.line("forces are open along " + counted(motion.open_directions, "direction") + ": these are some of them");
+    }
+    ReportTable& table = below.table({{"", ""}});
+    for (std::size_t i = 0; i < m_.contacts.size(); ++i) {
+      if (motion.slips[i]) table.row({m_.contacts[i].name + " slips at", text_of(*motion.slips[i]) + " degrees"});
+    }
+    const std::vector<std::string> accelerations = acceleration_names(m_), forces = force_names(m_);
+    for (std::size_t i = 0; i < accelerations.size(); ++i) {
+      table.row({accelerations[i], text_of(motion.accelerations[i])});
+    }
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+      table.row({forces[i], motion.forces[i] ? text_of(*motion.forces[i]) : "open"});
+    }
+  }
+
+  void write_undecided() {
+    constexpr std::size_t shown = 8;
+    Document& section = document_.section("Patterns in which other motions may be");
+    for (std::size_t i = 0; i < solved_.undecided.size() && i < shown; ++i) section.line(solved_.undecided[i]);
+    if (solved_.undecided.size() > shown) section.line("and " + counted(solved_.undecided.size() - shown, "other"));
+    if (solved_.open_speed) {
+      section.line(fmt::format("no gap or slip acceleration is larger there than {:.3g}", *solved_.open_speed));
+    }
+  }
+
+  const SolvedSpace& solved_;
+  const Mechanism& m_;
+  int digits_;
+  Document document_;
+};
+
+Json range_of(const Range& range) {
+  return Json::array({to_json(range.lower), to_json(range.upper)});
+}
+
+Json motion_json(const Mechanism& m, const SpaceMotion& motion) {
+  Json slips = Json::object(), accelerations = Json::object(), forces = Json::object();
+  for (std::size_t i = 0; i < m.contacts.size(); ++i) {
+    if (motion.slips[i]) slips[m.contacts[i].name] = range_of(*motion.slips[i]);
+  }
+  const std::vector<std::string> acceleration = acceleration_names(m), force = force_names(m);
+  for (std::size_t i = 0; i < acceleration.size(); ++i) {
+    accelerations[acceleration[i]] = range_of(motion.accelerations[i]);
+  }
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    forces[force[i]] = motion.forces[i] ? range_of(*motion.forces[i]) : Json(nullptr);
+  }
+  return {{"modes", Json::array({mode_of(motion)})},
+          {"slips", std::move(slips)},
+          {"accelerations", std::move(accelerations)},
+          {"forces", std::move(forces)},
+          {"exists", motion.exists},
+          {"unique", motion.unique},
+          {"open_directions", motion.open_directions},
+          {"status", motion.strict ? "strict" : "boundary"}};
+}
+
+}  // namespace
+
+Document space_document(const SolvedSpace& solved, int digits) {
+  return SpaceText(solved, digits).whole();
+}
+
+std::string space_json(const SolvedSpace& solved) {
+  const Mechanism& m = solved.scene.mechanism;
+  Json document{{"schema", "slipproof/space/1"}, {"scene", solved.scene.name}, {"mechanism", m.name}};
+  document["values"] = values_json(m, solved.scene.values);
+  document["load"] = nullptr;
+  if (m.load) document["load"] = {{"symbol", m.load->symbol}, {"value", to_json(solved.scene.load)}};
+  document["notes"] = solved.scene.notes;
+  document["complete"] = solved.complete();
+  document["motions"] = Json::array();
+  for (const SpaceMotion& motion : solved.motions) document["motions"].push_back(motion_json(m, motion));
+  document["undecided"] = solved.undecided;
+  document["open_speed"] = solved.open_speed ? Json(*solved.open_speed) : Json(nullptr);
+  document["programs"] = solved.programs;
+  return json_text(document);
+}
+
+}  // namespace slipproof

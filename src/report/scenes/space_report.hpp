@@ -1,0 +1,16 @@
+// The report on a scene in space: all motions, as text and as `slipproof/space/1`.
+#pragma once
+
+#include <string>
+
+#include "contact/space/solve_space.hpp"
+#include "report/document/document.hpp"
+
+namespace slipproof {
+
+/// For people; `digits` is the number of significant digits of decimals.
+Document space_document(const SolvedSpace& solved, int digits);
+/// The document slipproof/space/1.
+std::string space_json(const SolvedSpace& solved);
+
+}  // namespace slipproof
