@@ -67,8 +67,7 @@ class SpaceWriter {
     std::vector<Rational> inertia{j.xx, j.yy, j.zz};
     if (!j.xy.is_zero() || !j.xz.is_zero() || !j.yz.is_zero()) inertia.insert(inertia.end(), {j.xy, j.xz, j.yz});
     std::string text = fmt::format("\n[[body]]\nname = {}\nmass = {}\ninertia = [{}]\nat = {}\n", toml_string(name),
-                                   toml(mass), listed(inertia, [](const Rational& x) { return toml(x); }),
-                                   toml(at));
+                                   toml(mass), listed(inertia, [](const Rational& x) { return toml(x); }), toml(at));
     if (!is_zero(velocity)) text += "velocity = " + toml(velocity) + "\n";
     if (!is_zero(spin)) text += "spin = " + toml(spin) + "\n";
     return text;
@@ -99,8 +98,7 @@ class SpaceWriter {
     }
     const bool along = shape.kind == Shape::Kind::box && shape.pose.turn.axes == Turn().axes;
     if (along) return fmt::format("{{ box = {}, at = {} }}", toml(Rational(2) * shape.half), toml(at));
-    return "{ hull = [" + listed(polytope_of(shape).corners, [&](const Vector& p) { return toml(p - centre); }) +
-           "] }";
+    return "{ hull = [" + listed(polytope_of(shape).corners, [&](const Vector& p) { return toml(p - centre); }) + "] }";
   }
 
   Vector in_body(std::size_t body, const Vector& p) const { return body == 0 ? p : p - scene_.bodies[body].at; }
@@ -116,8 +114,7 @@ class SpaceWriter {
                                    kinds[static_cast<std::size_t>(joint.kind)], between(joint.first, joint.second),
                                    toml(in_body(joint.first, joint.at)));
     if (joint.kind != Joint::Kind::ball) {
-      const auto axis = direction_of(joint.axis);
-      text += "axis = " + toml(axis ? *axis : unit_near(near(joint.axis))) + "\n";
+      text += "axis = " + toml(unit_of(joint.axis)) + "\n";
     }
     if (!joint.friction.is_zero()) {
       scene_.import_notes.push_back(fmt::format("{}: its friction of up to {} {} is left out", joint.name,
@@ -154,27 +151,28 @@ class SpaceWriter {
   std::string armature(const Joint& joint) {
     if (joint.armature.is_zero() || turns_on_ground(joint)) return "";
     if (joint.kind != Joint::Kind::hinge) {
-      scene_.import_notes.push_back(joint.name + ": its armature " + exact_text(joint.armature) + " is left out: " +
-                                    (joint.kind == Joint::Kind::slide ? "it slides on a body that moves" : "it is a ball joint"));
+      scene_.import_notes.push_back(
+          joint.name + ": its armature " + exact_text(joint.armature) + " is left out: " +
+          (joint.kind == Joint::Kind::slide ? "it slides on a body that moves" : "it is a ball joint"));
       return "";
     }
     const Rational ratio(1'000'000'000'000'000);
     const Rational j = joint.armature / (ratio * ratio);
     const Body& first = scene_.bodies[joint.first];
-    const auto unit = direction_of(joint.axis);
-    const Vector axis = unit ? *unit : unit_near(near(joint.axis));
+    const Vector axis = unit_of(joint.axis);
     const Vector relative = scene_.bodies[joint.second].spin - first.spin;
     const std::string rotor = names_(joint.name + "_rotor");
-    rotors_ += body_text(rotor, 0, {j, j, j, 0, 0, 0}, joint.at,
-                         first.velocity + cross(first.spin, joint.at - first.at),
-                         first.spin + ratio * dot(relative, axis) * axis);
+    rotors_ +=
+        body_text(rotor, 0, {j, j, j, 0, 0, 0}, joint.at, first.velocity + cross(first.spin, joint.at - first.at),
+                  first.spin + ratio * dot(relative, axis) * axis);
     const std::string holder = toml_string(body_names_[joint.first]), axis_text = toml(axis);
     std::string text = fmt::format("\n[[joint]]\nname = {}\nkind = \"hinge\"\nbetween = [{}, {}]\nat = {}\naxis = {}\n",
                                    toml_string(names_(rotor + "_axle")), holder, toml_string(rotor),
                                    toml(in_body(joint.first, joint.at)), axis_text);
-    text += fmt::format("\n[[joint]]\nname = {}\nkind = \"gear\"\nbetween = [{}, {}]\ncarrier = {}\nratio = {}\naxis = {}\n",
-                        toml_string(names_(rotor + "_gear")), toml_string(body_names_[joint.second]),
-                        toml_string(rotor), holder, toml(ratio), axis_text);
+    text += fmt::format(
+        "\n[[joint]]\nname = {}\nkind = \"gear\"\nbetween = [{}, {}]\ncarrier = {}\nratio = {}\naxis = {}\n",
+        toml_string(names_(rotor + "_gear")), toml_string(body_names_[joint.second]), toml_string(rotor), holder,
+        toml(ratio), axis_text);
     scene_.import_notes.push_back(fmt::format(
         "{}: its armature {} is a rotor without mass that turns 1e15 times as fast as the joint, right to 1e-15",
         joint.name, exact_text(joint.armature)));
@@ -186,7 +184,7 @@ class SpaceWriter {
     const bool moving = std::ranges::any_of(
         scene_.bodies, [](const Body& body) { return !is_zero(body.velocity) || !is_zero(body.spin); });
     for (const SpatialContact& c :
-         spatial_contacts(scene_, options_.touch, mistakes_, scene_.import_notes, true)) {
+         spatial_contacts(scene_, options_.touch, mistakes_, scene_.import_notes, options_.overlaps)) {
       const std::string own = names_(c.shape_of->name + "_on_" + c.shape_on->name);
       text += fmt::format("\n[[contact]]\nname = {}\nof = {}\npoint = {}\n", toml_string(own),
                           toml_string(body_names_[c.of]), toml(in_body(c.of, c.at + c.radius * c.normal)));
@@ -214,7 +212,8 @@ class SpaceWriter {
     std::string text;
     const std::string on = toml_string(body_names_[push.on]);
     const std::string back = push.back_on == 0 ? "" : "back_on = " + toml_string(body_names_[push.back_on]) + "\n";
-    if (push.on == 0) return this->push({push.name, push.back_on, 0, Rational(-1) * push.force, push.at, Rational(-1) * push.couple});
+    if (push.on == 0)
+      return this->push({push.name, push.back_on, 0, Rational(-1) * push.force, push.at, Rational(-1) * push.couple});
     if (!is_zero(push.force)) {
       text += fmt::format("\n[[force]]\non = {}\nat = {}\nis = {}\n{}", on, toml(in_body(push.on, push.at)),
                           toml(push.force), back);

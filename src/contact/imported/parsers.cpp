@@ -21,6 +21,14 @@ Turn turn_of(const std::array<double, 4>& quaternion, const std::string& whose, 
   return found.turn;
 }
 
+void note_limits(const Joint& joint, bool are_far, Scene& scene) {
+  if (are_far)
+    return scene.import_notes.push_back(joint.name + ": its limits, which are not reached here, are left out");
+  scene.only_in_space.push_back(
+      {joint.place, joint.name + ": found it at a limit, or beyond: a stop is not read",
+       joint.name + ": it is at a limit, or beyond; the stop is left out, and does not hold it"});
+}
+
 }  // namespace slipproof::imported
 
 extern "C" __attribute__((visibility("default"))) void slipproof_parse_scene(

@@ -13,7 +13,8 @@ void check_sizes(const Scene& scene, Mistakes& mistakes) {
   for (const Body& body : scene.bodies) {
     if (body.mass.sign() < 0) mistakes.add(body.place, body.name + ": found a negative mass");
     for (const Shape& shape : body.shapes) {
-      const bool is_box = shape.kind == Shape::Kind::box, is_round = !is_box && shape.kind != Shape::Kind::plane && shape.kind != Shape::Kind::hull;
+      const bool is_box = shape.kind == Shape::Kind::box,
+                 is_round = !is_box && shape.kind != Shape::Kind::plane && shape.kind != Shape::Kind::hull;
       const bool has_length = shape.kind == Shape::Kind::cylinder || shape.kind == Shape::Kind::capsule;
       if ((is_box && (shape.half.x.sign() <= 0 || shape.half.y.sign() <= 0 || shape.half.z.sign() <= 0)) ||
           (is_round && shape.radius.sign() <= 0) || (has_length && shape.half_length.sign() <= 0)) {
@@ -43,7 +44,7 @@ Scene parse_scene_of_bodies(std::string text, const std::string& file, const Rea
   }
   check_sizes(scene, mistakes);
   mistakes.refuse_if_any();
-  join_fixed(scene, mistakes);
+  join_fixed(scene, options, mistakes);
   if (scene.bodies.size() == 1) mistakes.add(beginning, "found nothing that moves, expected a body with a mass");
   mistakes.refuse_if_any();
   return scene;

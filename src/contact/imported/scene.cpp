@@ -42,7 +42,7 @@ void renumber(Scene& scene, const std::vector<std::size_t>& number) {
 
 }  // namespace
 
-void join_fixed(Scene& scene, Mistakes& mistakes) {
+void join_fixed(Scene& scene, const ReadOptions& options, Mistakes& mistakes) {
   std::vector<std::size_t> root(scene.bodies.size());
   std::iota(root.begin(), root.end(), std::size_t{0});
   const auto find = [&](std::size_t body) {
@@ -70,8 +70,12 @@ void join_fixed(Scene& scene, Mistakes& mistakes) {
   std::erase_if(scene.joints, [](const Joint& joint) { return joint.kind == Joint::Kind::fixed; });
   renumber(scene, number);
   for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
-    const Body& body = scene.bodies[i];
-    if (body.mass.sign() <= 0 && !body.massless) {
+    Body& body = scene.bodies[i];
+    if (body.mass.is_zero() && !body.massless && options.mass) {
+      const Rational& m = body.mass = *options.mass;
+      body.inertia = {m, m, m, 0, 0, 0};
+      scene.import_notes.push_back(body.name + " has no mass: " + m.str() + " kg and kg m^2 are taken (--mass)");
+    } else if (body.mass.sign() <= 0 && !body.massless) {
       mistakes.add(body.place, body.name + ": found a body that moves, without a mass, expected an inertia");
     }
     for (const Shape& shape : body.shapes) {

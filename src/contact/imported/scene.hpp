@@ -16,12 +16,12 @@ struct Shape {
   enum class Kind : std::uint8_t { box, sphere, cylinder, capsule, plane, hull };
   Kind kind = Kind::box;
   std::string name;
-  Vector half;               ///< half edges of a box
-  Rational radius = 0;       ///< radius of a round shape
-  Rational half_length = 0;  ///< half length of a cylinder, and of a capsule without its caps
-  std::vector<Vector> points;  ///< of a hull, in the axes of the shape
+  Vector half;                                        ///< half edges of a box
+  Rational radius = 0;                                ///< radius of a round shape
+  Rational half_length = 0;                           ///< half length of a cylinder, and of a capsule without its caps
+  std::vector<Vector> points;                         ///< of a hull, in the axes of the shape
   std::vector<std::array<std::size_t, 3>> triangles;  ///< of its surface, by its points
-  Pose pose;                   ///< in the scene
+  Pose pose;                                          ///< in the scene
   /// Coefficients of friction; SDF has one for each of two directions, and the greater counts only if it is also that
   /// of the pair.
   std::optional<Rational> mu, greater_mu;
@@ -93,13 +93,14 @@ struct Scene {
 
 /// How a scene is read where its format leaves a choice.
 struct ReadOptions {
-  std::string key;              ///< MJCF: the keyframe; empty: the default configuration, at rest
-  bool without_meshes = false;  ///< leaves out the shapes of meshes
+  std::string key;               ///< MJCF: the keyframe; empty: the default configuration, at rest
+  bool without_meshes = false;   ///< leaves out the shapes of meshes
+  std::optional<Rational> mass;  ///< of bodies that have none, which then have as many kg m^2 about all axes
 };
 
 /// Merges bodies that are fixed to each other, and bodies fixed to the ground with the ground. Reports bodies that
 /// remain without a mass.
-void join_fixed(Scene& scene, Mistakes& mistakes);
+void join_fixed(Scene& scene, const ReadOptions& options, Mistakes& mistakes);
 
 /// The coefficient where two shapes touch: `given`, or by the format's rule. Nothing where neither says one, or the two
 /// directions have different ones.

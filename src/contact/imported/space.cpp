@@ -104,6 +104,11 @@ Vector unit_near(const std::array<double, 3>& v) {
   return rational_turn({1 + z, -v[1] / length, v[0] / length, 0}).turn.axes[2];
 }
 
+Vector unit_of(const Vector& v) {
+  if (const auto exact = direction_of(v)) return *exact;
+  return unit_near({nearest_binary64(v.x), nearest_binary64(v.y), nearest_binary64(v.z)});
+}
+
 Pose tidy(const Pose& pose) {
   const auto is_long = [](const Vector& v) {
     constexpr std::size_t digits = 60;

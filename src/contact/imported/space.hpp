@@ -82,6 +82,8 @@ RationalTurn rational_turn(const std::array<double, 4>& quaternion);
 
 /// A vector of length 1 near one of any length but 0, where its own has no rational length.
 Vector unit_near(const std::array<double, 3>& v);
+/// `direction_of`, or one near it.
+Vector unit_of(const Vector& v);
 /// The pose itself, or, where its numbers grew beyond what 60 digits hold, one nearby that has short ones (1e-14).
 Pose tidy(const Pose& pose);
 /// A quaternion (w, x, y, z) of a turn.

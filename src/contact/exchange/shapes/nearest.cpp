@@ -126,17 +126,20 @@ Nearest nearest_points(const Core& a, const Core& b) {
   for (int step = 0; step < most_steps; ++step) {
     const Near v = weighted(simplex, weights, &Difference::at);
     const double square = dot(v, v);
-    if (square < 1e-20) return {0, weighted(simplex, weights, &Difference::on_a), weighted(simplex, weights, &Difference::on_b)};
+    if (square < 1e-20)
+      return {0, weighted(simplex, weights, &Difference::on_a), weighted(simplex, weights, &Difference::on_b)};
     const Difference next = extreme({-v[0], -v[1], -v[2]});
     if (square - dot(v, next.at) <= 1e-13 * square) break;
-    if (simplex.size() == 4) return {0, weighted(simplex, weights, &Difference::on_a), weighted(simplex, weights, &Difference::on_b)};
+    if (simplex.size() == 4)
+      return {0, weighted(simplex, weights, &Difference::on_a), weighted(simplex, weights, &Difference::on_b)};
     simplex.push_back(next);
     const std::vector<double> found = shrink(simplex);
     if (found.empty()) break;
     weights = found;
   }
   const Near v = weighted(simplex, weights, &Difference::at);
-  return {std::sqrt(dot(v, v)), weighted(simplex, weights, &Difference::on_a), weighted(simplex, weights, &Difference::on_b)};
+  return {std::sqrt(dot(v, v)), weighted(simplex, weights, &Difference::on_a),
+          weighted(simplex, weights, &Difference::on_b)};
 }
 
 }  // namespace slipproof::imported

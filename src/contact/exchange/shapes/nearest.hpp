@@ -17,8 +17,8 @@ struct Core {
 Core core_of(const Shape& shape);
 
 struct Nearest {
-  double distance = 0;   ///< 0: they meet
-  Near on_a{}, on_b{};   ///< the two points
+  double distance = 0;  ///< 0: they meet
+  Near on_a{}, on_b{};  ///< the two points
 };
 
 /// The nearest points of two bodies, by Gilbert, Johnson and Keerthi: the point nearest to 0 of the set of differences,

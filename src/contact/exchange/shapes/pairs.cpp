@@ -93,7 +93,9 @@ class Pair {
     if (a_.shape->kind == Kind::sphere && b_.shape->kind == Kind::sphere) spheres();
     if (found_.empty() && !plane) at_nearest(apart);
     if (found_.empty() && !plane) crossing_edges();
-    if (found_.empty()) why = inside_ || apart < 0 ? "are inside each other" : "are inside each other, or touch in a way that is not read";
+    if (found_.empty())
+      why =
+          inside_ || apart < 0 ? "are inside each other" : "are inside each other, or touch in a way that is not read";
     return std::move(found_);
   }
 
@@ -138,7 +140,8 @@ class Pair {
     }
     if (!found_.empty()) return;
     for (const Vector& p : close) {  // beside the face by less than the touch
-      if (face.holds(p, touch_)) found_.push_back({swapped, p - face.distance(p) * face.normal, face.normal, face.distance(p), 0, {}, false});
+      if (face.holds(p, touch_))
+        found_.push_back({swapped, p - face.distance(p) * face.normal, face.normal, face.distance(p), 0, {}, false});
     }
   }
 
@@ -150,7 +153,8 @@ class Pair {
     const Rational distance = *length - a.radius - b.radius;
     if (abs(distance) > touch_) return;
     const Vector normal = (Rational(1) / *length) * between;
-    found_.push_back({false, b.pose.at + (b.radius + distance / 2) * normal, normal, distance, a.radius, b.radius, false});
+    found_.push_back(
+        {false, b.pose.at + (b.radius + distance / 2) * normal, normal, distance, a.radius, b.radius, false});
   }
 
   /// Where their nearest points are, if these do not meet: round shapes, corners and edges.

@@ -58,6 +58,27 @@ Polytope plane(const Shape& shape) {
   return result;
 }
 
+Polytope cylinder(const Shape& shape) {
+  Polytope result;
+  for (const int side : {1, -1}) {
+    Face face;
+    face.normal = Rational(side) * shape.pose.turn.axes[2];
+    face.through = shape.pose.at + shape.half_length * face.normal;
+    face.disc = shape.radius;
+    result.faces.push_back(std::move(face));
+  }
+  return result;
+}
+
+/// Where the segment from a to b leaves a disc, within 1e-15 of its length.
+Vector on_rim(const Face& face, const Vector& a, const Vector& b) {
+  const Near from = minus(near(a), near(face.through)), along = minus(near(b), near(a));
+  const double r = nearest_binary64(*face.disc), square = dot(along, along), middle = dot(from, along) / square;
+  const double beyond = std::sqrt(std::max(0.0, middle * middle - (dot(from, from) - r * r) / square));
+  const double first = -middle - beyond, last = -middle + beyond;
+  return a + placed(first >= 0 && first <= 1 ? first : last) * (b - a);
+}
+
 /// The faces of a hull: triangles, joined where they lie in one plane.
 class HullFaces {
  public:
@@ -152,6 +173,10 @@ class HullFaces {
 
 bool Face::holds(const Vector& p, const Rational& touch) const {
   if (unlimited) return true;
+  if (disc) {
+    const Vector off = p - through - distance(p) * normal;
+    return imported::dot(off, off) <= (*disc + touch) * (*disc + touch);
+  }
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vector &a = corners[i], &b = corners[(i + 1) % corners.size()];
     const Vector in = inwards(*this, a, b);
@@ -161,6 +186,15 @@ bool Face::holds(const Vector& p, const Rational& touch) const {
 }
 
 std::vector<Vector> Face::clip(std::vector<Vector> polygon) const {
+  if (disc) {
+    std::vector<Vector> rest;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const Vector &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
+      if (holds(p, 0)) rest.push_back(p);
+      if (holds(p, 0) != holds(q, 0)) rest.push_back(on_rim(*this, p, q));
+    }
+    return rest;
+  }
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vector &a = corners[i], in = inwards(*this, a, corners[(i + 1) % corners.size()]);
     const auto inside = [&](const Vector& p) -> Rational { return imported::dot(p - a, in); };
@@ -179,6 +213,7 @@ std::vector<Vector> Face::clip(std::vector<Vector> polygon) const {
 Polytope polytope_of(const Shape& shape) {
   if (shape.kind == Shape::Kind::box) return box(shape);
   if (shape.kind == Shape::Kind::plane) return plane(shape);
+  if (shape.kind == Shape::Kind::cylinder) return cylinder(shape);
   if (shape.kind == Shape::Kind::hull && !shape.points.empty()) return HullFaces(shape).join();
   return {};
 }
@@ -194,7 +229,8 @@ std::vector<Vector> corners_of_polygon(const std::vector<Vector>& points, const 
   };
   std::vector<Planar> all;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    all.push_back({nearest_binary64(imported::dot(points[i], along)), nearest_binary64(imported::dot(points[i], across)), i});
+    all.push_back(
+        {nearest_binary64(imported::dot(points[i], along)), nearest_binary64(imported::dot(points[i], across)), i});
   }
   std::ranges::sort(all, [](const Planar& a, const Planar& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
   const auto left = [](const Planar& a, const Planar& b, const Planar& c) {  // Andrew's chain

@@ -15,8 +15,13 @@ namespace {
 class SceneContacts {
  public:
   SceneContacts(const Scene& scene, const Rational& touch, Mistakes& mistakes, std::vector<std::string>& import_notes,
-                bool within_one)
-      : scene_(scene), touch_(touch), mistakes_(mistakes), notes_(import_notes), trees_(trees_of(scene)), within_one_(within_one) {}
+                Overlaps overlaps)
+      : scene_(scene),
+        touch_(touch),
+        mistakes_(mistakes),
+        notes_(import_notes),
+        trees_(trees_of(scene)),
+        overlaps_(overlaps) {}
 
   std::vector<SpatialContact> find() {
     for_each_pair(scene_, [&](std::size_t i, const Shape& a, std::size_t j, const Shape& b) { pair(i, a, j, b); });
@@ -29,19 +34,21 @@ class SceneContacts {
     const Ball ball = ball_of(a), other = ball_of(b);
     const double touch = nearest_binary64(touch_);
     if (are_far(a, ball, b, other, touch) || are_far(b, other, a, ball, touch)) return;
-    std::vector<std::string> said;
     std::string why;
     const std::vector<TouchPoint> points = touching(solid(a), solid(b), touch_, why);
     for (const TouchPoint& point : points) add(i, a, j, b, point);
     for (const Shape* shape : {&a, &b}) {
-      if (shape->kind == Shape::Kind::cylinder && points.size() == 4 && std::ranges::find(rims_, shape) == rims_.end()) {
+      if (shape->kind == Shape::Kind::cylinder && points.size() == 4 &&
+          std::ranges::find(rims_, shape) == rims_.end()) {
         rims_.push_back(shape);
         notes_.push_back(shape->name + " stands on a disc: four points of its rim touch");
       }
     }
     if (why.empty()) return;
-    if (within_one_ && i != 0 && j != 0 && trees_[i] == trees_[j]) {
-      notes_.push_back(b.name + " and " + a.name + " of one robot " + why + ": no contact between them");
+    const bool of_one = i != 0 && j != 0 && trees_[i] == trees_[j];
+    if (overlaps_ == Overlaps::left_out || (overlaps_ == Overlaps::within_one_robot && of_one)) {
+      notes_.push_back(b.name + " and " + a.name + (of_one ? " of one robot " : " ") + why +
+                       ": no contact between them");
     } else {
       mistakes_.add(b.place, b.name + " and " + a.name + " " + why);
     }
@@ -85,7 +92,8 @@ class SceneContacts {
   }
 
   void add(std::size_t i, const Shape& a, std::size_t j, const Shape& b, const TouchPoint& point) {
-    SpatialContact contact{i, j, &a, &b, point.at, point.normal, point.distance, point.radius, point.on_radius, point.only_at_rest};
+    SpatialContact contact{
+        i, j, &a, &b, point.at, point.normal, point.distance, point.radius, point.on_radius, point.only_at_rest};
     if (point.swapped) {
       std::swap(contact.of, contact.on);
       std::swap(contact.shape_of, contact.shape_on);
@@ -103,7 +111,7 @@ class SceneContacts {
   Mistakes& mistakes_;
   std::vector<std::string>& notes_;
   std::vector<std::size_t> trees_;
-  bool within_one_;
+  Overlaps overlaps_;
   std::map<const Shape*, Solid> solids_;
   std::vector<const Shape*> rims_;
   std::vector<SpatialContact> found_;
@@ -112,8 +120,8 @@ class SceneContacts {
 }  // namespace
 
 std::vector<SpatialContact> spatial_contacts(const Scene& scene, const Rational& touch, Mistakes& mistakes,
-                                             std::vector<std::string>& import_notes, bool within_one) {
-  return SceneContacts(scene, touch, mistakes, import_notes, within_one).find();
+                                             std::vector<std::string>& import_notes, Overlaps overlaps) {
+  return SceneContacts(scene, touch, mistakes, import_notes, overlaps).find();
 }
 
 std::array<Vector, 2> tangents(const Vector& n) {

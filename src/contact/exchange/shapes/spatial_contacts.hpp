@@ -19,12 +19,13 @@ struct SpatialContact {
   bool only_at_rest = false;          ///< the surfaces are curved otherwise, or turn apart: exact for bodies at rest
 };
 
-/// All contacts of a scene. Shapes may overlap where one robot has both (`within_one`), which is noted and means that
-/// they do not touch. Reports other overlapping shapes, and kinds of touching that are not supported; adds notes on what
-/// was chosen.
-std::vector<SpatialContact> spatial_contacts(const Scene& scene, const Rational& touch, Mistakes& mistakes,
-                                             std::vector<std::string>& import_notes, bool within_one = false);
+/// Which shapes may overlap, or touch in a way that is not supported: those do not touch, with a note for each pair.
+enum class Overlaps : std::uint8_t { refused, within_one_robot, left_out };
 
+/// All contacts of a scene. Reports other overlapping shapes; adds notes on what was chosen.
+std::vector<SpatialContact> spatial_contacts(const Scene& scene, const Rational& touch, Mistakes& mistakes,
+                                             std::vector<std::string>& import_notes,
+                                             Overlaps overlaps = Overlaps::refused);
 
 /// Two directions of length 1 across a normal and each other.
 std::array<Vector, 2> tangents(const Vector& normal);

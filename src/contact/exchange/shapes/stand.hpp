@@ -5,8 +5,8 @@
 
 namespace slipproof::imported {
 
-/// Moves all bodies that no joint connects to the ground, tree by tree, along z until the lowest of their shapes touches
-/// a plane of the ground. Adds a note for each tree that moved.
+/// Moves all bodies that no joint connects to the ground, tree by tree, along z until the lowest of their shapes
+/// touches a plane of the ground. Adds a note for each tree that moved.
 void stand_on_ground(Scene& scene);
 
 }  // namespace slipproof::imported

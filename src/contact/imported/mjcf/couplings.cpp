@@ -95,10 +95,11 @@ class CouplingReader {
   void tendons() {
     for (int i = 0; i < m_.ntendon; ++i) {
       const std::string name = c_.name_of(mjOBJ_TENDON, i, fmt::format("tendon{}", i + 1));
-      const Place place = c_.file.place("fixed", name).line != 0 ? c_.file.place("fixed", name) : c_.file.place("spatial", name);
+      const Place place =
+          c_.file.place("fixed", name).line != 0 ? c_.file.place("fixed", name) : c_.file.place("spatial", name);
       const double length = d_.ten_length[i];
-      const bool reached = m_.tendon_limited[i] != 0 &&
-                           (length <= m_.tendon_range[2 * i] || length >= m_.tendon_range[2 * i + 1]);
+      const bool reached =
+          m_.tendon_limited[i] != 0 && (length <= m_.tendon_range[2 * i] || length >= m_.tendon_range[2 * i + 1]);
       std::string left_out = name + ": a tendon, of which only the force at this instant is taken";
       if (reached) left_out += "; it is at the end of its length, and does not hold here";
       if (m_.tendon_frictionloss[i] != 0) left_out += "; its friction is left out";

@@ -19,8 +19,9 @@ class ForceReader {
   void read() {
     for (int j = 0; j < m_.njnt; ++j) joint(j);
     if (!pushed_.empty()) {
-      c_.tell("what springs, dampers, tendons, fluids and actuators exert at this instant are forces of their own, on " +
-              listed(pushed_));
+      c_.tell(
+          "what springs, dampers, tendons, fluids and actuators exert at this instant are forces of their own, on " +
+          listed(pushed_));
     }
     actuators();
   }

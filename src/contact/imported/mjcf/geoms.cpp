@@ -98,8 +98,8 @@ class GeomReader {
   /// A mesh that touches is its convex hull, of which MuJoCo knows the corners.
   bool hull(int i, Shape& shape) {
     c_.scene.only_in_space.push_back(
-        {shape.place, shape.name + ": found a mesh or a height field, expected a box, sphere, cylinder, capsule or plane",
-         ""});
+        {shape.place,
+         shape.name + ": found a mesh or a height field, expected a box, sphere, cylinder, capsule or plane", ""});
     hull_of_mesh(m_, m_.geom_dataid[i], shape);
     return true;
   }

@@ -28,15 +28,8 @@ void say_nothing(const char*) {}
 /// All files of a model in memory, under names of their own.
 class ModelFiles {
  public:
-  ModelFiles(const ReadOptions& options, std::vector<std::string>& import_notes, Mistakes& mistakes)
-      : options_(options), notes_(import_notes), mistakes_(mistakes), memory_(std::make_unique<mjVFS>()) {
-    mj_defaultVFS(memory_.get());
-  }
-  ~ModelFiles() {
-    for (int i = memory_->nfile - 1; i >= 0; --i) mj_deleteFileVFS(memory_.get(), memory_->filename[i]);
-  }
-  ModelFiles(const ModelFiles&) = delete;
-  ModelFiles& operator=(const ModelFiles&) = delete;
+  ModelFiles(const ReadOptions& options, Scene& scene, Mistakes& mistakes)
+      : options_(options), scene_(scene), mistakes_(mistakes) {}
 
   Model load(TaggedFile& file) {
     folder_ = std::filesystem::path(file.file()).parent_path();
@@ -44,32 +37,28 @@ class ModelFiles {
     if (!mistakes_.empty()) return nullptr;
     read_meshes();
     if (meshes_left_out_ > 0) {
-      notes_.push_back(fmt::format("left out: meshes, as --without-meshes says ({} files)", meshes_left_out_));
+      scene_.import_notes.push_back(
+          fmt::format("left out: meshes, as --without-meshes says ({} files)", meshes_left_out_));
     }
     if (!mistakes_.empty()) return nullptr;
-    const char* name = "scene.xml";
-    if (!keep(name, file.rest())) mistakes_.add({}, "found a file beyond what MuJoCo holds in memory");
-    for (std::size_t i = 0; i < included_.size(); ++i) keep(included_name(i), std::next(included_.begin(), static_cast<long>(i))->rest());
-    mju_user_warning = say_nothing;  // or it writes a file of its own
-    std::array<char, 1000> error{};
-    Model model(mj_loadXML(name, memory_.get(), error.data(), static_cast<int>(error.size())));
-    if (!model) mistakes_.add(file.place(file.root()), std::string("MuJoCo: ") + error.data());
+    // What later versions of MuJoCo take for granted, and its files therefore: a range is a limit.
+    if (!has_auto_limits_) file.root().prepend_child("compiler").append_attribute("autolimits") = "true";
+    files_.insert(files_.begin(), {"scene.xml", file.rest()});
+    std::size_t number = 0;
+    for (const TaggedFile& one : included_) files_.emplace_back(included_name(number++), one.rest());
+    std::string why;
+    Model model = model_of(files_, why);
+    if (!model) mistakes_.add(file.place(file.root()), "MuJoCo: " + why);
     return model;
   }
 
  private:
   static std::string included_name(std::size_t i) { return fmt::format("included{}.xml", i); }
 
-  bool keep(const std::string& name, const std::string& bytes) {
-    if (mj_makeEmptyFileVFS(memory_.get(), name.c_str(), static_cast<int>(bytes.size())) != 0) return false;
-    std::memcpy(memory_->filedata[mj_findFileVFS(memory_.get(), name.c_str())], bytes.data(), bytes.size());
-    return true;
-  }
-
   /// Takes out what is only seen, and puts what a file includes in memory.
   void take(TaggedFile& file) {
-    const std::vector<std::string> left_out = file.check({{}, seen_only, true}, mistakes_);
-    if (included_.empty()) notes_.insert(notes_.end(), left_out.begin(), left_out.end());
+    Scene of_included;
+    file.check({{}, seen_only, {}, true}, included_.empty() ? scene_ : of_included, mistakes_);
     visit(file, file.root());
   }
 
@@ -82,8 +71,10 @@ class ModelFiles {
       if (tag == "include") {
         include(file, child);
       } else if (tag == "compiler") {
+        has_auto_limits_ = has_auto_limits_ || child.attribute("autolimits");
         for (const char* name : {"meshdir", "texturedir"}) {
-          if (std::string_view(name) == "meshdir" && child.attribute(name)) mesh_folder_ = child.attribute(name).value();
+          if (std::string_view(name) == "meshdir" && child.attribute(name))
+            mesh_folder_ = child.attribute(name).value();
           child.remove_attribute(name);
         }
       } else if ((tag == "mesh" || tag == "hfield") && child.attribute("file")) {
@@ -127,28 +118,44 @@ class ModelFiles {
         continue;
       }
       if (!node.attribute("name")) node.append_attribute("name") = path.stem().c_str();
-      const std::string name = fmt::format("file{}{}", files_++, path.extension().string());
-      if (!keep(name, bytes)) mistakes_.add(file->place(node), "found more files than MuJoCo holds in memory");
-      node.attribute("file") = name.c_str();
+      files_.emplace_back(fmt::format("file{}{}", files_.size(), path.extension().string()), bytes);
+      node.attribute("file") = files_.back().first.c_str();
     }
   }
 
   const ReadOptions& options_;
-  std::vector<std::string>& notes_;
+  Scene& scene_;
   Mistakes& mistakes_;
-  std::unique_ptr<mjVFS> memory_;
   std::filesystem::path folder_, mesh_folder_;
   std::list<TaggedFile> included_;
   std::set<std::string> names_;
   std::vector<std::pair<TaggedFile*, pugi::xml_node>> meshes_;
-  std::size_t files_ = 0, meshes_left_out_ = 0;
+  std::vector<std::pair<std::string, std::string>> files_;  ///< by the names that they have in memory
+  std::size_t meshes_left_out_ = 0;
+  bool has_auto_limits_ = false;
 };
 
 }  // namespace
 
-Model load_model(TaggedFile& file, const ReadOptions& options, std::vector<std::string>& import_notes,
-                 Mistakes& mistakes) {
-  return ModelFiles(options, import_notes, mistakes).load(file);
+Model model_of(const std::vector<std::pair<std::string, std::string>>& files, std::string& why) {
+  mju_user_warning = say_nothing;  // or it writes a file of its own
+  const auto memory = std::make_unique<mjVFS>();
+  mj_defaultVFS(memory.get());
+  bool fits = true;
+  for (const auto& [name, bytes] : files) {
+    fits = fits && mj_makeEmptyFileVFS(memory.get(), name.c_str(), static_cast<int>(bytes.size())) == 0;
+    if (fits) std::memcpy(memory->filedata[mj_findFileVFS(memory.get(), name.c_str())], bytes.data(), bytes.size());
+  }
+  std::array<char, 1000> error{};
+  Model model;
+  if (fits) model.reset(mj_loadXML(files.front().first.c_str(), memory.get(), error.data(), error.size()));
+  for (const auto& [name, bytes] : files) mj_deleteFileVFS(memory.get(), name.c_str());
+  why = fits ? error.data() : "found more files than it holds in memory";
+  return model;
+}
+
+Model load_model(TaggedFile& file, const ReadOptions& options, Scene& scene, Mistakes& mistakes) {
+  return ModelFiles(options, scene, mistakes).load(file);
 }
 
 }  // namespace slipproof::imported

@@ -20,10 +20,12 @@ struct DeleteData {
 };
 using Data = std::unique_ptr<mjData, DeleteData>;
 
-/// The file with the files that it includes and the meshes of both, as MuJoCo compiles them. Pictures, sensors and names
-/// of materials are taken out before, with a note for each in the file itself. Null, with mistakes, for what MuJoCo does
-/// not understand, and for files that cannot be read.
-Model load_model(TaggedFile& file, const ReadOptions& options, std::vector<std::string>& import_notes,
-                 Mistakes& mistakes);
+/// The file with the files that it includes and the meshes of both, as MuJoCo compiles them. Pictures, sensors and
+/// names of materials are taken out before, with a note for each in the file itself. Null, with mistakes, for what
+/// MuJoCo does not understand, and for files that cannot be read.
+Model load_model(TaggedFile& file, const ReadOptions& options, Scene& scene, Mistakes& mistakes);
+
+/// A model of files in memory, the first of them its own: pairs of a name and what is in it. Null, with `why`.
+Model model_of(const std::vector<std::pair<std::string, std::string>>& files, std::string& why);
 
 }  // namespace slipproof::imported

@@ -25,8 +25,8 @@ Data state_of(const mjModel& m, const TaggedFile& file, const ReadOptions& optio
   }
   const auto found = std::ranges::find(keys, options.key);
   if (!options.key.empty() && found == keys.end()) {
-    mistakes.add(file.place(file.root()), "found no keyframe " + in_quotes(options.key) + ", expected one of: " +
-                                              (keys.empty() ? "none" : listed(keys)));
+    mistakes.add(file.place(file.root()), "found no keyframe " + in_quotes(options.key) +
+                                              ", expected one of: " + (keys.empty() ? "none" : listed(keys)));
     return nullptr;
   }
   if (found != keys.end()) mj_resetDataKeyframe(&m, data.get(), static_cast<int>(found - keys.begin()));
@@ -111,7 +111,9 @@ class MjcfReader {
       }
     }
     exact = exact && tidy(pose).turn.axes == pose.turn.axes;
-    if (!exact) pose = {rational_turn({d_.xquat[4 * i], d_.xquat[4 * i + 1], d_.xquat[4 * i + 2], d_.xquat[4 * i + 3]}).turn, c_.placed_at(d_.xpos + 3 * i)};
+    if (!exact)
+      pose = {rational_turn({d_.xquat[4 * i], d_.xquat[4 * i + 1], d_.xquat[4 * i + 2], d_.xquat[4 * i + 3]}).turn,
+              c_.placed_at(d_.xpos + 3 * i)};
     c_.poses.push_back(pose);
     c_.exact.push_back(exact);
   }
@@ -227,12 +229,7 @@ class MjcfReader {
     if (m_.jnt_limited[j] == 0) return;
     const bool reached = joint.kind != Joint::Kind::ball &&
                          (d_.qpos[at] <= m_.jnt_range[2 * j] || d_.qpos[at] >= m_.jnt_range[2 * j + 1]);
-    if (reached) {
-      only_in_space("it at a limit, or beyond: a stop is not read",
-                    joint.name + ": it is at a limit, or beyond; the stop is left out, and does not hold it");
-    } else {
-      c_.tell(joint.name + ": its limits, which are not reached here, are left out");
-    }
+    note_limits(joint, !reached, scene_);
   }
 
   /// A free body with an armature has that of a point at its origin, which has no weight.
@@ -247,8 +244,8 @@ class MjcfReader {
       point.at = pose.at;
       point.inertia = {armature, armature, armature, 0, 0, 0};
       add_to(body, point);
-      scene_.pushes.push_back({body.name + "_armature_has_no_weight", scene_.bodies.size(), 0,
-                               -armature * *scene_.gravity, pose.at, {}});
+      scene_.pushes.push_back(
+          {body.name + "_armature_has_no_weight", scene_.bodies.size(), 0, -armature * *scene_.gravity, pose.at, {}});
       c_.tell(fmt::format("{}: its armature {} is a mass without weight at its origin, and an inertia", body.name,
                           armature.str()));
     }
@@ -289,7 +286,8 @@ class MjcfReader {
 };
 
 bool moves(const Scene& scene) {
-  return std::ranges::any_of(scene.bodies, [](const Body& body) { return !(body.velocity == Vector{} && body.spin == Vector{}); });
+  return std::ranges::any_of(scene.bodies,
+                             [](const Body& body) { return !(body.velocity == Vector{} && body.spin == Vector{}); });
 }
 
 }  // namespace
@@ -298,13 +296,14 @@ void read_mjcf(TaggedFile& file, const ReadOptions& options, Scene& scene, Mista
   scene.format = "MJCF";
   scene.name = file.root().attribute("model").value();
   scene.rule = FrictionRule::greatest;
-  const Model model = load_model(file, options, scene.import_notes, mistakes);
+  const Model model = load_model(file, options, scene, mistakes);
   if (!model) return;
   const Data data = state_of(*model, file, options, scene, mistakes);
   if (!data) return;
   MjcfContext context{file, *model, *data, scene, mistakes, {}, {}, {}};
   MjcfReader(context).read();
-  if (moves(scene)) scene.only_in_space.push_back({file.place(file.root()), "found velocities, expected a scene at rest", ""});
+  if (moves(scene))
+    scene.only_in_space.push_back({file.place(file.root()), "found velocities, expected a scene at rest", ""});
 }
 
 }  // namespace slipproof::imported

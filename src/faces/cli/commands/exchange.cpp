@@ -21,8 +21,8 @@ namespace slipproof::cli {
 namespace {
 
 struct ImportArguments {
-  std::string file, output, plane, touch, mu, ground, gravity, key;
-  bool space = false, spatial = false, stand = false, without_meshes = false, quiet = false;
+  std::string file, output, plane, touch, mu, ground, gravity, key, mass;
+  bool space = false, spatial = false, stand = false, without_meshes = false, without_overlaps = false, quiet = false;
 };
 
 Rational number(const std::string& option, const std::string& text) {
@@ -66,8 +66,12 @@ Written write_scene(const ImportArguments& arguments, imported::Scene scene) {
   const imported::TouchOptions touch = options_of(arguments);
   const std::size_t bodies = scene.bodies.size() - 1;
   if (arguments.space) {
-    const imported::SpaceMechanism found = to_space(std::move(scene), {touch, arguments.stand});
-    return {found.text, found.import_notes, fmt::format("bodies {} contacts {} in space", found.bodies, found.contacts)};
+    const imported::SpaceMechanism found = to_space(
+        std::move(scene),
+        {touch, arguments.without_overlaps ? imported::Overlaps::left_out : imported::Overlaps::within_one_robot,
+         arguments.stand});
+    return {found.text, found.import_notes,
+            fmt::format("bodies {} contacts {} in space", found.bodies, found.contacts)};
   }
   if (arguments.spatial) {
     const imported::SpatialProblem found = to_spatial(std::move(scene), touch);
@@ -85,8 +89,9 @@ void import_scene(const ImportArguments& arguments) {
   inputs.add(arguments.file);
   const OutputFile output(arguments.output, inputs);
   expect_ending("--output", arguments.output, {arguments.spatial ? ".json" : ".toml"});
-  const Written written =
-      write_scene(arguments, imported::read_scene_of_bodies(arguments.file, {arguments.key, arguments.without_meshes}));
+  const Written written = write_scene(
+      arguments, imported::read_scene_of_bodies(arguments.file, {arguments.key, arguments.without_meshes,
+                                                                 number_or_none("--mass", arguments.mass)}));
   tell(arguments, written.import_notes);
   output.write(written.text);
   print(fmt::format("s IMPORTED {} {}\n", arguments.output, written.words));
@@ -104,11 +109,17 @@ void add_import(CLI::App& app, int& exit_code) {
                   "The plane that it is seen in: xz, yz or xy; the first that fits, if left out")
       ->check(CLI::IsMember({"xz", "yz", "xy"}));
   CLI::Option* space = command.add_flag("--space", options->space, "Write a mechanism in space");
-  command.add_flag("--spatial", options->spatial, "Write the contact problem in space, at rest, in place of a mechanism")
+  command
+      .add_flag("--spatial", options->spatial, "Write the contact problem in space, at rest, in place of a mechanism")
       ->excludes(space);
   command.add_option("--key", options->key, "The keyframe of an MJCF file: its places, velocities and controls");
   command.add_flag("--stand", options->stand, "Move robots that nothing holds up or down to stand on the ground")
       ->needs(space);
+  command
+      .add_flag("--without-overlaps", options->without_overlaps,
+                "Leave contacts out of shapes that are inside each other; of one robot they always are")
+      ->needs(space);
+  command.add_option("--mass", options->mass, "The mass of bodies that have none, and their inertia about all axes");
   command.add_flag("--without-meshes", options->without_meshes, "Leave shapes out that are meshes");
   command.add_option("--touch", options->touch, "How far apart, or inside each other, shapes touch [0.0001]");
   command.add_option("--mu", options->mu, "The coefficient of friction of all contacts; URDF has none of its own");
