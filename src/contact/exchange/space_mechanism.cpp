@@ -10,6 +10,7 @@
 #include "contact/exchange/shapes/polytope.hpp"
 #include "contact/exchange/shapes/spatial_contacts.hpp"
 #include "contact/exchange/shapes/stand.hpp"
+#include "mechanics/reading/read_mechanism.hpp"
 
 namespace slipproof::imported {
 
@@ -38,15 +39,22 @@ class SpaceWriter {
     }
     body_names_.emplace_back("ground");
     for (std::size_t i = 1; i < scene_.bodies.size(); ++i) body_names_.push_back(names_(scene_.bodies[i].name));
-    std::string bodies, held;
     for (std::size_t i = 1; i < scene_.bodies.size(); ++i) add_fixed_armatures(i);
-    for (std::size_t i = 1; i < scene_.bodies.size(); ++i) bodies += body(i);
-    for (const Joint& one : scene_.joints) held += joint(one);
-    bodies += rotors_;
+    held_.resize(scene_.bodies.size());
     const std::string touching = contacts();
-    for (const Push& one : scene_.pushes) held += push(one);
+    std::string joints, bodies, pushes;
+    for (const Joint& one : scene_.joints) {
+      held_[one.first] = held_[one.second] = true;
+      joints += joint(one);
+    }
+    for (std::size_t i = 1; i < scene_.bodies.size(); ++i) bodies += body(i);
+    for (const Push& one : scene_.pushes) pushes += push(one);
+    if (result_.bodies == 0) {
+      mistakes_.add({}, "found nothing that touches within " + options_.touch.str() +
+                            " and no joint, expected contacts or joints (--touch, --ground, --stand)");
+    }
     result_.import_notes = scene_.import_notes;
-    result_.text = head() + bodies + held + touching;
+    result_.text = head() + bodies + rotors_ + joints + touching + pushes;
     return std::move(result_);
   }
 
@@ -73,8 +81,13 @@ class SpaceWriter {
     return text;
   }
 
+  /// Nothing for a body in free fall, of which there is nothing to ask.
   std::string body(std::size_t i) {
     const Body& body = scene_.bodies[i];
+    if (!held_[i]) {
+      scene_.import_notes.push_back("left out: " + body.name + ", which falls freely: nothing touches or holds it");
+      return "";
+    }
     std::string text = body_text(body_names_[i], body.mass, body.inertia, body.at, body.velocity, body.spin);
     std::vector<std::string> shapes;
     for (const Shape& shape : body.shapes) shapes.push_back(shape_text(shape, body.at));
@@ -198,6 +211,7 @@ class SpaceWriter {
       }
       text += "friction = " + toml(friction_at(scene_, *c.shape_on, *c.shape_of, options_, mistakes_)) + "\n";
       ++result_.contacts;
+      held_[c.of] = held_[c.on] = true;
       if (!c.distance.is_zero()) {
         scene_.import_notes.push_back(own + ": " + distance_in_words(c.distance) + ", moved to touch");
       }
@@ -210,6 +224,7 @@ class SpaceWriter {
 
   std::string push(const Push& push) {
     std::string text;
+    if (!held_[push.on] && push.on != 0) return text;
     const std::string on = toml_string(body_names_[push.on]);
     const std::string back = push.back_on == 0 ? "" : "back_on = " + toml_string(body_names_[push.back_on]) + "\n";
     if (push.on == 0)
@@ -228,6 +243,7 @@ class SpaceWriter {
   Identifiers names_;
   std::vector<std::string> body_names_;
   std::string rotors_;
+  std::vector<bool> held_;  ///< the bodies that something touches, or a joint has
   SpaceMechanism result_;
 };
 
@@ -239,6 +255,7 @@ SpaceMechanism to_space(Scene scene, const SpaceOptions& options) {
   Mistakes mistakes(scene.file);
   SpaceMechanism result = SpaceWriter(scene, options, mistakes).write();
   mistakes.refuse_if_any();
+  parse_mechanism(result.text, "the mechanism that follows from " + scene.file);  // refuses what no mechanism is
   return result;
 }
 

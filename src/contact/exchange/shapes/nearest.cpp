@@ -90,10 +90,10 @@ Near Core::farthest(const Near& direction) const {
   return best;
 }
 
-Core core_of(const Shape& shape) {
+Core core_of(const Shape& shape, const Polytope& faces) {
   Core core;
   if (shape.kind == Shape::Kind::box || shape.kind == Shape::Kind::hull) {
-    for (const Vector& p : polytope_of(shape).corners) core.points.push_back(near(p));
+    for (const Vector& p : faces.corners) core.points.push_back(near(p));
     return core;
   }
   core.points = {near(shape.pose.at)};

@@ -13,8 +13,8 @@ struct Core {
 
   Near farthest(const Near& direction) const;
 };
-/// Not for planes.
-Core core_of(const Shape& shape);
+/// Not for planes. `faces` are those of the shape.
+Core core_of(const Shape& shape, const Polytope& faces);
 
 struct Nearest {
   double distance = 0;  ///< 0: they meet

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/number/binary64.hpp"
-#include "contact/exchange/shapes/nearest.hpp"
 
 namespace slipproof::imported {
 
@@ -75,6 +74,8 @@ std::vector<Lowest> lowest(const Solid& solid, const Face& face) {
   return result;
 }
 
+constexpr std::size_t most_pairs_of_edges = 250'000;
+
 class Pair {
  public:
   Pair(const Solid& a, const Solid& b, const Rational& touch) : a_(a), b_(b), touch_(touch) {}
@@ -83,7 +84,7 @@ class Pair {
     const bool plane = a_.shape->kind == Kind::plane || b_.shape->kind == Kind::plane;
     double apart = 0;
     if (!plane) {
-      nearest_ = nearest_points(core_of(*a_.shape), core_of(*b_.shape));
+      nearest_ = nearest_points(a_.core, b_.core);
       apart = nearest_.distance - nearest_binary64(reach(a_) + reach(b_));
       if (apart > nearest_binary64(touch_)) return {};
     }
@@ -104,19 +105,28 @@ class Pair {
     return solid.shape->kind == Kind::sphere || solid.shape->kind == Kind::capsule ? solid.shape->radius : Rational(0);
   }
 
+  /// The face of one shape from which the other is farthest, or least inside.
+  static const Face* best_face(const Solid& of, const Solid& on) {
+    if (of.shape->kind == Kind::plane) return nullptr;
+    const double round = nearest_binary64(reach(of));
+    const Face* best = nullptr;
+    double greatest = 0;
+    for (std::size_t i = 0; i < on.sides.size(); ++i) {
+      const auto& [n, offset] = on.sides[i];
+      const double least = dot(of.core.farthest({-n[0], -n[1], -n[2]}), n) - round - offset;
+      if (best == nullptr || least > greatest + 1e-12) best = &on.faces.faces[i], greatest = least;
+    }
+    return best;
+  }
+
   /// Points of one shape on the faces of another: on the face that keeps them apart best, if one does.
   void on_faces(const Solid& of, const Solid& on, bool swapped) {
-    const Face* best = nullptr;
-    Rational greatest;
-    std::vector<Lowest> points;
-    for (const Face& face : on.faces.faces) {
-      std::vector<Lowest> own = lowest(of, face);
-      if (own.empty()) return;
-      Rational least = face.distance(own.front().at);
-      for (const Lowest& p : own) least = std::min(least, face.distance(p.at));
-      if (best == nullptr || least > greatest) best = &face, greatest = least, points = std::move(own);
-    }
+    const Face* best = best_face(of, on);
     if (best == nullptr) return;
+    const std::vector<Lowest> points = lowest(of, *best);
+    if (points.empty()) return;
+    Rational greatest = best->distance(points.front().at);
+    for (const Lowest& p : points) greatest = std::min(greatest, best->distance(p.at));
     inside_ = inside_ || greatest < -touch_;
     if (greatest > touch_ || greatest < -touch_) return;
     if (is_flat(*of.shape)) return flat_on(of, *best, swapped);
@@ -174,7 +184,8 @@ class Pair {
 
   /// Two edges that cross, so that a plane along both keeps the shapes apart.
   void crossing_edges() {
-    const Core a = core_of(*a_.shape), b = core_of(*b_.shape);
+    const Core &a = a_.core, &b = b_.core;
+    if (a_.faces.edges.size() * b_.faces.edges.size() > most_pairs_of_edges) return;
     const double touch = nearest_binary64(touch_);
     for (const auto& own : a_.faces.edges) {
       for (const auto& other : b_.faces.edges) {
@@ -209,6 +220,16 @@ class Pair {
 
 }  // namespace
 
+Solid solid_of(const Shape& shape) {
+  Solid solid{&shape, polytope_of(shape), {}, {}};
+  if (shape.kind != Kind::plane) solid.core = core_of(shape, solid.faces);
+  for (const Face& face : solid.faces.faces) {
+    const Near normal = near(face.normal);
+    solid.sides.push_back({normal, dot(normal, near(face.through))});
+  }
+  return solid;
+}
+
 std::vector<TouchPoint> touching(const Solid& a, const Solid& b, const Rational& touch, std::string& why) {
   return Pair(a, b, touch).find(why);
 }
@@ -218,7 +239,9 @@ std::optional<Rational> least_along(const Shape& shape, const Vector& normal) {
   Face face;
   face.normal = normal;
   face.unlimited = true;
-  const Solid solid{&shape, polytope_of(shape)};
+  Solid solid;
+  solid.shape = &shape;
+  if (is_flat(shape)) solid.faces = polytope_of(shape);
   std::optional<Rational> least;
   for (const Lowest& p : lowest(solid, face)) {
     const Rational here = dot(p.at, normal);

@@ -5,15 +5,22 @@
 #include <string>
 #include <vector>
 
-#include "contact/exchange/shapes/polytope.hpp"
+#include "contact/exchange/shapes/nearest.hpp"
 
 namespace slipproof::imported {
 
-/// A shape with its faces, if it has any.
+/// A shape with its faces, if it has any, and with both in binary64: those decide which faces are looked at.
 struct Solid {
   const Shape* shape = nullptr;
   Polytope faces;
+  Core core;
+  struct Side {
+    Near normal{};
+    double offset = 0;
+  };
+  std::vector<Side> sides;  ///< of the faces
 };
+Solid solid_of(const Shape& shape);
 
 struct TouchPoint {
   bool swapped = false;               ///< the normal points out of the first shape instead of the second

@@ -87,7 +87,7 @@ class SceneContacts {
   /// Faces, edges and corners are made once for each shape.
   const Solid& solid(const Shape& shape) {
     const auto [found, is_new] = solids_.try_emplace(&shape);
-    if (is_new) found->second = {&shape, polytope_of(shape)};
+    if (is_new) found->second = solid_of(shape);
     return found->second;
   }
 

@@ -149,7 +149,8 @@ Model model_of(const std::vector<std::pair<std::string, std::string>>& files, st
   std::array<char, 1000> error{};
   Model model;
   if (fits) model.reset(mj_loadXML(files.front().first.c_str(), memory.get(), error.data(), error.size()));
-  for (const auto& [name, bytes] : files) mj_deleteFileVFS(memory.get(), name.c_str());
+  // From the last on: MuJoCo 2.2.2 does not end where one is deleted that has others behind it.
+  for (auto file = files.rbegin(); file != files.rend(); ++file) mj_deleteFileVFS(memory.get(), file->first.c_str());
   why = fits ? error.data() : "found more files than it holds in memory";
   return model;
 }
