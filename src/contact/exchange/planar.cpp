@@ -150,6 +150,9 @@ class PlanarWriter {
 PlanarMechanism to_planar(Scene scene, const PlanarOptions& options) {
   complete(scene, options);
   Mistakes mistakes(scene.file);
+  refuse_what_is_only_in_space(scene, mistakes);
+  mistakes.refuse_if_any();
+  join_planar_chains(scene);
   const View& view = view_of(scene, options.plane, mistakes);
   PlanarMechanism result = PlanarWriter(scene, view, options, mistakes).write();
   mistakes.refuse_if_any();

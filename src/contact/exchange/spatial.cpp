@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "contact/exchange/spatial_contacts.hpp"
+#include "contact/exchange/shapes/spatial_contacts.hpp"
 #include "contact/problem/solutions.hpp"
 
 namespace slipproof::imported {
@@ -104,6 +104,9 @@ class SpatialBuilder {
 SpatialProblem to_spatial(Scene scene, const TouchOptions& options) {
   complete(scene, options);
   Mistakes mistakes(scene.file);
+  refuse_what_is_only_in_space(scene, mistakes);
+  mistakes.refuse_if_any();
+  join_planar_chains(scene);
   SpatialProblem result = SpatialBuilder(scene, options, mistakes).build();
   mistakes.refuse_if_any();
   if (!positive_definite(result.problem.M)) {

@@ -1,5 +1,7 @@
 #include "contact/exchange/touch.hpp"
 
+#include <numeric>
+
 #include "base/number/format.hpp"
 
 namespace slipproof::imported {
@@ -30,6 +32,21 @@ Rational friction_at(const Scene& scene, const Shape& a, const Shape& b, const T
   }
   if (mu->sign() < 0) mistakes.add(b.place, b.name + ": found a negative coefficient of friction");
   return *mu;
+}
+
+std::vector<std::size_t> trees_of(const Scene& scene) {
+  std::vector<std::size_t> tree(scene.bodies.size());
+  std::iota(tree.begin(), tree.end(), std::size_t{0});
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const Joint& joint : scene.joints) {
+      if (joint.first == 0 || joint.second == 0) continue;
+      const std::size_t least = std::min(tree[joint.first], tree[joint.second]);
+      changed = changed || tree[joint.first] != least || tree[joint.second] != least;
+      tree[joint.first] = tree[joint.second] = least;
+    }
+  }
+  return tree;
 }
 
 std::string distance_in_words(const Rational& distance) {

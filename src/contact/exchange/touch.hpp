@@ -38,6 +38,9 @@ void for_each_pair(const Scene& scene, const Each& each) {
   }
 }
 
+/// The first body of the tree of joints that each body belongs to; the ground belongs to none.
+std::vector<std::size_t> trees_of(const Scene& scene);
+
 /// `0.00002 apart`, `0.00002 inside each other`.
 std::string distance_in_words(const Rational& distance);
 

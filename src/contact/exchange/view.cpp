@@ -69,6 +69,8 @@ std::optional<Outline> outline_of(const Shape& shape, const View& view, std::str
     case Shape::Kind::capsule:
       outline = round(shape, view);
       break;
+    case Shape::Kind::hull:
+      break;
     case Shape::Kind::plane:
       if (const Vector& normal = shape.pose.turn.axes[2]; dot(normal, view.toward).is_zero()) {
         outline.emplace();

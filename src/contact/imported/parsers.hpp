@@ -5,8 +5,9 @@
 #include "contact/imported/tags.hpp"
 
 /// The function that the module exports: reads a file in the format of its first tag. Does not throw.
-extern "C" void slipproof_parse_scene(slipproof::imported::TaggedFile* file, slipproof::imported::Scene* scene,
-                                      slipproof::Mistakes* mistakes);
+extern "C" void slipproof_parse_scene(slipproof::imported::TaggedFile* file,
+                                      const slipproof::imported::ReadOptions* options,
+                                      slipproof::imported::Scene* scene, slipproof::Mistakes* mistakes);
 
 namespace slipproof::imported {
 

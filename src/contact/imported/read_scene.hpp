@@ -10,7 +10,7 @@ namespace slipproof::imported {
 
 /// Reads a scene of bodies; merges bodies that are fixed to each other. Throws InputError for unsupported elements,
 /// with name and place.
-Scene read_scene_of_bodies(const std::filesystem::path& file);
-Scene parse_scene_of_bodies(std::string text, const std::string& file);
+Scene read_scene_of_bodies(const std::filesystem::path& file, const ReadOptions& options = {});
+Scene parse_scene_of_bodies(std::string text, const std::string& file, const ReadOptions& options = {});
 
 }  // namespace slipproof::imported

@@ -7,27 +7,42 @@
 namespace slipproof::imported {
 
 std::string_view name(Shape::Kind kind) {
-  constexpr std::array<std::string_view, 5> names{"box", "sphere", "cylinder", "capsule", "plane"};
+  constexpr std::array<std::string_view, 6> names{"box", "sphere", "cylinder", "capsule", "plane", "hull"};
   return names[static_cast<std::size_t>(kind)];
 }
 
-namespace {
-
-/// Takes what a body is made of over to another that it is fixed to.
 void add_to(Body& whole, const Body& part, bool is_ground) {
   whole.shapes.insert(whole.shapes.end(), part.shapes.begin(), part.shapes.end());
   if (is_ground || part.mass.is_zero()) return;
   const Rational mass = whole.mass + part.mass;
+  if (whole.mass.is_zero()) whole.velocity = part.velocity, whole.spin = part.spin, whole.at = part.at;
   const Vector at = (Rational(1) / mass) * (whole.mass * whole.at + part.mass * part.at);
   whole.inertia =
       whole.inertia + of_point(whole.mass, whole.at - at) + part.inertia + of_point(part.mass, part.at - at);
+  whole.velocity = whole.velocity + cross(whole.spin, at - whole.at);
   whole.mass = mass;
   whole.at = at;
+  whole.massless = whole.massless && part.massless;
+}
+
+namespace {
+
+/// Renumbers what names bodies, and drops what has come to be inside of one.
+void renumber(Scene& scene, const std::vector<std::size_t>& number) {
+  for (Joint& joint : scene.joints) joint.first = number[joint.first], joint.second = number[joint.second];
+  for (const Joint& joint : scene.joints) {
+    if (joint.first == joint.second) scene.import_notes.push_back(joint.name + ": held fast, it cannot move");
+  }
+  std::erase_if(scene.joints, [](const Joint& joint) { return joint.first == joint.second; });
+  for (Push& push : scene.pushes) push.on = number[push.on], push.back_on = number[push.back_on];
+  std::erase_if(scene.pushes, [](const Push& push) { return push.on == push.back_on; });
+  for (auto& [a, b] : scene.excluded) a = number[a], b = number[b];
+  std::erase_if(scene.excluded, [](const auto& pair) { return pair.first == pair.second; });
 }
 
 }  // namespace
 
-void join_fixed(Scene& scene, Mistakes& mistakes) {
+void join_fixed(Scene& scene, const ReadOptions& options, Mistakes& mistakes) {
   std::vector<std::size_t> root(scene.bodies.size());
   std::iota(root.begin(), root.end(), std::size_t{0});
   const auto find = [&](std::size_t body) {
@@ -53,10 +68,14 @@ void join_fixed(Scene& scene, Mistakes& mistakes) {
   }
   scene.bodies = std::move(whole);
   std::erase_if(scene.joints, [](const Joint& joint) { return joint.kind == Joint::Kind::fixed; });
-  for (Joint& joint : scene.joints) joint.first = number[joint.first], joint.second = number[joint.second];
+  renumber(scene, number);
   for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
-    const Body& body = scene.bodies[i];
-    if (body.mass.sign() <= 0) {
+    Body& body = scene.bodies[i];
+    if (body.mass.is_zero() && !body.massless && options.mass) {
+      const Rational& m = body.mass = *options.mass;
+      body.inertia = {m, m, m, 0, 0, 0};
+      scene.import_notes.push_back(body.name + " has no mass: " + m.str() + " kg and kg m^2 are taken (--mass)");
+    } else if (body.mass.sign() <= 0 && !body.massless) {
       mistakes.add(body.place, body.name + ": found a body that moves, without a mass, expected an inertia");
     }
     for (const Shape& shape : body.shapes) {
@@ -70,6 +89,7 @@ std::optional<Rational> friction_between(const Scene& scene, const Shape& a, con
                                          const std::optional<Rational>& given) {
   if (given) return given;
   if (scene.rule == FrictionRule::none || !a.mu || !b.mu) return std::nullopt;
+  if (a.priority != b.priority) return a.priority > b.priority ? a.mu : b.mu;
   const auto greater = [](const Shape& shape) { return shape.greater_mu.value_or(*shape.mu); };
   if (scene.rule == FrictionRule::least && std::min(*a.mu, *b.mu) != std::min(greater(a), greater(b))) {
     return std::nullopt;
@@ -77,7 +97,62 @@ std::optional<Rational> friction_between(const Scene& scene, const Shape& a, con
   return scene.rule == FrictionRule::least ? std::min(*a.mu, *b.mu) : std::max(*a.mu, *b.mu);
 }
 
+void move(Scene& scene, const std::vector<bool>& bodies, const Vector& by) {
+  for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
+    if (!bodies[i]) continue;
+    scene.bodies[i].at = scene.bodies[i].at + by;
+    for (Shape& shape : scene.bodies[i].shapes) shape.pose.at = shape.pose.at + by;
+  }
+  for (Joint& joint : scene.joints) {
+    if (bodies[joint.second]) joint.at = joint.at + by;
+  }
+  for (Push& push : scene.pushes) {
+    if (bodies[push.on]) push.at = push.at + by;
+  }
+}
+
+void join_planar_chains(Scene& scene) {
+  std::vector<bool> gone(scene.bodies.size()), joint_gone(scene.joints.size());
+  const auto holder = [&](std::size_t body) {
+    return static_cast<std::size_t>(std::ranges::find(scene.joints, body, &Joint::second) - scene.joints.begin());
+  };
+  for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
+    std::vector<std::size_t> chain;
+    for (std::size_t body = i, j; (j = holder(body)) < scene.joints.size(); body = scene.joints[j].first) {
+      chain.push_back(j);
+      if (!scene.bodies[scene.joints[j].first].massless) break;
+    }
+    const auto count = [&](Joint::Kind kind) {
+      return std::ranges::count(chain, kind, [&](std::size_t j) { return scene.joints[j].kind; });
+    };
+    if (scene.bodies[i].massless || chain.size() != 3 || count(Joint::Kind::slide) != 2) continue;
+    if (scene.joints[chain.back()].first != 0 || count(Joint::Kind::hinge) != 1) continue;
+    for (const std::size_t j : chain) joint_gone[j] = true;
+    gone[scene.joints[chain[0]].first] = gone[scene.joints[chain[1]].first] = true;
+    scene.import_notes.push_back(scene.bodies[i].name + " slides along two axes and turns: it is free in their plane");
+  }
+  std::vector<std::size_t> number(scene.bodies.size());
+  std::vector<Body> rest;
+  for (std::size_t i = 0; i < gone.size(); ++i) {
+    number[i] = rest.size();
+    if (!gone[i]) rest.push_back(std::move(scene.bodies[i]));
+  }
+  std::vector<Joint> joints;
+  for (std::size_t j = 0; j < joint_gone.size(); ++j) {
+    if (!joint_gone[j]) joints.push_back(std::move(scene.joints[j]));
+  }
+  scene.bodies = std::move(rest);
+  scene.joints = std::move(joints);
+  renumber(scene, number);
+}
+
+void refuse_what_is_only_in_space(const Scene& scene, Mistakes& mistakes) {
+  for (const OnlyInSpace& one : scene.only_in_space) mistakes.add(one.place, one.found);
+}
+
 bool are_joined(const Scene& scene, std::size_t a, std::size_t b) {
+  const auto is_pair = [&](const auto& pair) { return pair == std::pair(a, b) || pair == std::pair(b, a); };
+  if (std::ranges::any_of(scene.excluded, is_pair)) return true;
   if (a == 0 || b == 0) return false;
   return std::ranges::any_of(scene.joints, [&](const Joint& joint) {
     return (joint.first == a && joint.second == b) || (joint.first == b && joint.second == a);

@@ -42,6 +42,11 @@ Rational computed(double x) {
   return parse_rational(fmt::format("{:.15g}", x));
 }
 
+Rational placed(double x) {
+  if (!std::isfinite(x)) return to_rational(x);  // throws
+  return parse_rational(fmt::format("{:.15f}", x));
+}
+
 RationalTurn rational_turn(const std::array<double, 4>& quaternion) {
   const auto largest = *std::ranges::max_element(quaternion, {}, [](double x) { return std::abs(x); });
   std::array<double, 4> ratios{};
@@ -54,7 +59,7 @@ RationalTurn rational_turn(const std::array<double, 4>& quaternion) {
     if (right || is_right(ratios[i])) {
       q[i] = Rational(static_cast<int>(std::lround(ratios[i])));
     } else {
-      const Rational exact = to_rational(ratios[i]), near = Rational(1) / Rational(10'000'000'000);
+      const Rational exact = to_rational(ratios[i]), near = Rational(1) / Rational(100'000'000'000'000);
       q[i] = simplest_between(exact - near, exact + near);
     }
     const double off = std::abs(nearest_binary64(q[i]) - ratios[i]);
@@ -68,6 +73,53 @@ RationalTurn rational_turn(const std::array<double, 4>& quaternion) {
   result.turn.axes = {over(w * w + x * x - y * y - z * z, 2 * (x * y + w * z), 2 * (x * z - w * y)),
                       over(2 * (x * y - w * z), w * w - x * x + y * y - z * z, 2 * (y * z + w * x)),
                       over(2 * (x * z + w * y), 2 * (y * z - w * x), w * w - x * x - y * y + z * z)};
+  return result;
+}
+
+std::array<double, 4> quaternion_of(const Turn& turn) {
+  std::array<std::array<double, 3>, 3> m{};  // by rows
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) m[i][j] = nearest_binary64(turn.axes[j][i]);
+  }
+  // Four ways to the same quaternion: the one with the greatest component loses no digits.
+  const std::array<std::array<double, 4>, 4> ways{
+      std::array{1 + m[0][0] + m[1][1] + m[2][2], m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1]},
+      std::array{m[2][1] - m[1][2], 1 + m[0][0] - m[1][1] - m[2][2], m[0][1] + m[1][0], m[0][2] + m[2][0]},
+      std::array{m[0][2] - m[2][0], m[0][1] + m[1][0], 1 - m[0][0] + m[1][1] - m[2][2], m[1][2] + m[2][1]},
+      std::array{m[1][0] - m[0][1], m[0][2] + m[2][0], m[1][2] + m[2][1], 1 - m[0][0] - m[1][1] + m[2][2]}};
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < 4; ++i) {
+    if (ways[i][i] > ways[best][best]) best = i;
+  }
+  return ways[best];
+}
+
+Vector unit_near(const std::array<double, 3>& v) {
+  const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  const double z = v[2] / length;
+  if (z < -0.5) {  // the turn from z to the opposite one, which is not near half a turn
+    const Vector opposite = unit_near({-v[0], -v[1], -v[2]});
+    return Rational(-1) * opposite;
+  }
+  return rational_turn({1 + z, -v[1] / length, v[0] / length, 0}).turn.axes[2];
+}
+
+Vector unit_of(const Vector& v) {
+  if (const auto exact = direction_of(v)) return *exact;
+  return unit_near({nearest_binary64(v.x), nearest_binary64(v.y), nearest_binary64(v.z)});
+}
+
+Pose tidy(const Pose& pose) {
+  const auto is_long = [](const Vector& v) {
+    constexpr std::size_t digits = 60;
+    return v.x.str().size() > digits || v.y.str().size() > digits || v.z.str().size() > digits;
+  };
+  Pose result = pose;
+  if (std::ranges::any_of(pose.turn.axes, is_long)) result.turn = rational_turn(quaternion_of(pose.turn)).turn;
+  if (is_long(pose.at)) {
+    const auto near = [](const Rational& x) { return placed(nearest_binary64(x)); };
+    result.at = {near(pose.at.x), near(pose.at.y), near(pose.at.z)};
+  }
   return result;
 }
 

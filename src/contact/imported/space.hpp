@@ -68,14 +68,26 @@ Rational written(double x);
 /// The same with 15 digits, for a number that a program computed from the file with an error in the last bit.
 Rational computed(double x);
 
+/// The same with 15 places behind the point, where a rounding error stands for 0: a place in metres, computed.
+Rational placed(double x);
+
 /// A rational rotation near that of a quaternion (w, x, y, z) of any length but 0. Angles within 5e-6 of right angles,
-/// as decimals give them, become exact; others become the simplest rotation within 1e-10. `error` is about the largest
+/// as decimals give them, become exact; others become the simplest rotation within 1e-14. `error` is about the largest
 /// deviation in radians, if it exceeds rounding.
 struct RationalTurn {
   Turn turn;
   double error = 0;
 };
 RationalTurn rational_turn(const std::array<double, 4>& quaternion);
+
+/// A vector of length 1 near one of any length but 0, where its own has no rational length.
+Vector unit_near(const std::array<double, 3>& v);
+/// `direction_of`, or one near it.
+Vector unit_of(const Vector& v);
+/// The pose itself, or, where its numbers grew beyond what 60 digits hold, one nearby that has short ones (1e-14).
+Pose tidy(const Pose& pose);
+/// A quaternion (w, x, y, z) of a turn.
+std::array<double, 4> quaternion_of(const Turn& turn);
 
 /// The square root, where it is rational.
 std::optional<Rational> rational_root(const Rational& x);

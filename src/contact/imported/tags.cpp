@@ -23,6 +23,16 @@ bool has(const std::vector<std::string_view>& list, std::string_view word) {
 
 }  // namespace
 
+std::vector<std::string_view> words_of(std::string_view text) {
+  std::vector<std::string_view> words;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    words.push_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return words;
+}
+
 TaggedFile::TaggedFile(std::string text, std::string file) : text_(std::move(text)), file_(std::move(file)) {
   const auto parsed = document_.load_buffer(text_.data(), text_.size());
   if (parsed.status == pugi::status_ok && root()) return;
@@ -31,29 +41,36 @@ TaggedFile::TaggedFile(std::string text, std::string file) : text_(std::move(tex
   mistakes.refuse_if_any();
 }
 
-std::vector<std::string> TaggedFile::check(const Tags& tags, Mistakes& mistakes) {
-  check(root(), tags, mistakes);
-  std::vector<std::string> import_notes;
+void TaggedFile::check(const Tags& tags, Scene& scene, Mistakes& mistakes) {
+  left_out_.clear();
+  check(root(), tags, scene, mistakes);
   for (const auto& [tag, lines] : left_out_) {
-    import_notes.push_back("left out: " + tag + " (line" + (lines.size() == 1 ? " " : "s ") +
-                           listed(lines, [](std::size_t line) { return std::to_string(line); }) + ")");
+    scene.import_notes.push_back("left out: " + tag + " (line" + (lines.size() == 1 ? " " : "s ") +
+                                 listed(lines, [](std::size_t line) { return std::to_string(line); }) + ")");
   }
-  return import_notes;
 }
 
-void TaggedFile::check(pugi::xml_node node, const Tags& tags, Mistakes& mistakes) {
+void TaggedFile::check(pugi::xml_node node, const Tags& tags, Scene& scene, Mistakes& mistakes) {
   for (pugi::xml_node child = node.first_child(), next; child; child = next) {
     next = child.next_sibling();
     if (child.type() != pugi::node_element) continue;
     const std::string_view tag = child.name();
+    const std::string found = "found <" + std::string(tag) + "> in <" + node.name() +
+                              ">, which is not read and may exert a force, expected a file without it";
     if (has(tags.left_out, tag)) {
       left_out_[std::string(tag)].push_back(place(child).line);
       node.remove_child(child);
-    } else if (has(tags.read, tag)) {
-      check(child, tags, mistakes);
+    } else if (has(tags.only_in_space, tag)) {
+      const Place at = place(child);
+      scene.only_in_space.push_back({at, found,
+                                     "left out, though it may exert a force: " + std::string(tag) + " in " +
+                                         node.name() + " " + node.attribute("name").value() + " (line " +
+                                         std::to_string(at.line) + ")"});
+      node.remove_child(child);
+    } else if (tags.reads_all_others || has(tags.read, tag)) {
+      check(child, tags, scene, mistakes);
     } else {
-      mistakes.add(place(child), "found <" + std::string(tag) + "> in <" + node.name() +
-                                     ">, which is not read and may exert a force, expected a file without it");
+      mistakes.add(place(child), found);
     }
   }
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/input/diagnostic.hpp"
+#include "contact/imported/scene.hpp"
 
 namespace slipproof::imported {
 
@@ -17,7 +18,13 @@ struct Tags {
   std::vector<std::string_view> read;  ///< tags that are read, with their contents
   /// Tags that are ignored, with their contents: pictures, sensors, names of materials.
   std::vector<std::string_view> left_out;
+  /// Tags that may exert a force: the mechanism in space leaves them out by name, the other ways refuse them.
+  std::vector<std::string_view> only_in_space;
+  bool reads_all_others = false;  ///< the format's own parser refuses what it does not know
 };
+
+/// The words of a text with single spaces.
+std::vector<std::string_view> words_of(std::string_view text);
 
 class TaggedFile {
  public:
@@ -28,9 +35,9 @@ class TaggedFile {
   const std::string& file() const { return file_; }
   const std::string& text() const { return text_; }
 
-  /// Adds a mistake for each tag that is neither read nor left out, and takes those out of the document that are.
-  /// Returns sentences about these.
-  std::vector<std::string> check(const Tags& tags, Mistakes& mistakes);
+  /// Adds a mistake for each tag that is neither read nor left out, and takes those out of the document that are, with
+  /// sentences about these in the scene.
+  void check(const Tags& tags, Scene& scene, Mistakes& mistakes);
 
   Place place(const pugi::xml_node& node) const;
   /// The place of the first tag of this kind with this name; the beginning of the file if there is none.
@@ -39,7 +46,7 @@ class TaggedFile {
   std::string rest() const;
 
  private:
-  void check(pugi::xml_node node, const Tags& tags, Mistakes& mistakes);
+  void check(pugi::xml_node node, const Tags& tags, Scene& scene, Mistakes& mistakes);
 
   std::string text_, file_;
   pugi::xml_document document_;

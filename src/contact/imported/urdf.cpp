@@ -1,5 +1,6 @@
 // URDF, by urdfdom: one robot. It has neither ground nor gravity nor friction, and whether its first link is held
 // somewhere it does not say, unless that link is called `world`.
+#include "contact/imported/mesh.hpp"
 #include "contact/imported/readers.hpp"
 
 #ifdef SLIPPROOF_URDF
@@ -15,8 +16,9 @@ namespace {
 
 const Tags tags{
     {"robot", "link", "joint", "inertial", "origin", "mass", "inertia", "collision", "geometry", "box", "sphere",
-     "cylinder", "parent", "child", "axis", "limit", "dynamics"},
-    {"visual", "material", "transmission", "gazebo", "sensor", "calibration", "safety_controller", "verbose"}};
+     "cylinder", "mesh", "parent", "child", "axis", "limit", "dynamics"},
+    {"visual", "material", "transmission", "gazebo", "sensor", "calibration", "safety_controller", "verbose"},
+    {"mimic"}};
 
 /// What urdfdom says is wrong, which it tells a console that all of the process shares. One at a time.
 class Console : public console_bridge::OutputHandler {
@@ -39,8 +41,8 @@ class Console : public console_bridge::OutputHandler {
 
 class UrdfReader {
  public:
-  UrdfReader(const TaggedFile& file, Scene& scene, Mistakes& mistakes)
-      : file_(file), scene_(scene), mistakes_(mistakes) {}
+  UrdfReader(const TaggedFile& file, const ReadOptions& options, Scene& scene, Mistakes& mistakes)
+      : file_(file), options_(options), scene_(scene), mistakes_(mistakes) {}
 
   void read(const urdf::ModelInterface& robot) {
     scene_.name = robot.getName();
@@ -67,6 +69,7 @@ class UrdfReader {
     Body body;
     body.name = link.name;
     body.place = file_.place("link", link.name);
+    body.at = pose.at;
     if (link.inertial) {
       const Pose centre = pose * pose_of(link.inertial->origin, link.name + ", its inertia");
       body.mass = written(link.inertial->mass);
@@ -80,7 +83,7 @@ class UrdfReader {
     const std::size_t own = scene_.bodies.size();
     scene_.bodies.push_back(std::move(body));
     for (const urdf::JointSharedPtr& joint : link.child_joints) {
-      const Pose child = pose * pose_of(joint->parent_to_joint_origin_transform, joint->name);
+      const Pose child = tidy(pose * pose_of(joint->parent_to_joint_origin_transform, joint->name));
       add_joint(*joint, child, own);
       for (const urdf::LinkSharedPtr& next : link.child_links) {
         if (next->name == joint->child_link_name) add(*next, child);
@@ -104,8 +107,8 @@ class UrdfReader {
       shape.kind = Shape::Kind::cylinder;
       shape.radius = written(cylinder->radius);
       shape.half_length = written(cylinder->length) / 2;
-    } else {
-      return mistakes_.add(body.place, body.name + ": found a mesh, expected a box, a sphere or a cylinder");
+    } else if (const auto* mesh = dynamic_cast<const urdf::Mesh*>(collision.geometry.get())) {
+      if (!read_mesh(mesh->filename, vector_of(mesh->scale), options_, shape, scene_, mistakes_)) return;
     }
     body.shapes.push_back(std::move(shape));
   }
@@ -137,24 +140,22 @@ class UrdfReader {
                                                "prismatic, fixed or floating");
     }
     if (joint.limits && joint.type != urdf::Joint::FIXED && joint.limits->lower != joint.limits->upper) {
-      scene_.import_notes.push_back(joint.name + ": its limits, which are not reached here, are left out");
-      if (joint.limits->lower >= 0 || joint.limits->upper <= 0) {
-        mistakes_.add(result.place, joint.name + ": found it at a limit, or beyond: a stop is not read");
-      }
+      note_limits(result, joint.limits->lower < 0 && joint.limits->upper > 0, scene_);
     }
     scene_.joints.push_back(std::move(result));
   }
 
   const TaggedFile& file_;
+  const ReadOptions& options_;
   Scene& scene_;
   Mistakes& mistakes_;
 };
 
 }  // namespace
 
-void read_urdf(TaggedFile& file, Scene& scene, Mistakes& mistakes) {
+void read_urdf(TaggedFile& file, const ReadOptions& options, Scene& scene, Mistakes& mistakes) {
   scene.format = "URDF";
-  scene.import_notes = file.check(tags, mistakes);
+  file.check(tags, scene, mistakes);
   if (!mistakes.empty()) return;
   const Console console;
   const urdf::ModelInterfaceSharedPtr robot = urdf::parseURDF(file.rest());
@@ -162,7 +163,7 @@ void read_urdf(TaggedFile& file, Scene& scene, Mistakes& mistakes) {
     return mistakes.add(file.place(file.root()),
                         "found no robot that urdfdom understands, expected one: " + console.said());
   }
-  UrdfReader(file, scene, mistakes).read(*robot);
+  UrdfReader(file, options, scene, mistakes).read(*robot);
 }
 
 }  // namespace slipproof::imported
@@ -171,7 +172,7 @@ void read_urdf(TaggedFile& file, Scene& scene, Mistakes& mistakes) {
 
 namespace slipproof::imported {
 
-void read_urdf(TaggedFile& file, Scene&, Mistakes& mistakes) {
+void read_urdf(TaggedFile& file, const ReadOptions&, Scene&, Mistakes& mistakes) {
   mistakes.add(file.place(file.root()), "found URDF, which this program was built without: it needs liburdfdom-dev");
 }
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "contact/exchange/export_scene.hpp"
-#include "contact/exchange/spatial_contacts.hpp"
+#include "contact/exchange/shapes/spatial_contacts.hpp"
 #include "contact/exchange/written.hpp"
 #include "contact/formats/json_problem.hpp"
 #include "mechanics/scene/scene.hpp"

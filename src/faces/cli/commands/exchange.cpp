@@ -10,6 +10,7 @@
 #include "contact/exchange/export_bodies.hpp"
 #include "contact/exchange/export_scene.hpp"
 #include "contact/exchange/planar.hpp"
+#include "contact/exchange/space_mechanism.hpp"
 #include "contact/exchange/spatial.hpp"
 #include "contact/imported/read_scene.hpp"
 #include "faces/cli/command.hpp"
@@ -20,8 +21,8 @@ namespace slipproof::cli {
 namespace {
 
 struct ImportArguments {
-  std::string file, output, plane, touch, mu, ground, gravity;
-  bool spatial = false, quiet = false;
+  std::string file, output, plane, touch, mu, ground, gravity, key, mass;
+  bool space = false, spatial = false, stand = false, without_meshes = false, without_overlaps = false, quiet = false;
 };
 
 Rational number(const std::string& option, const std::string& text) {
@@ -36,9 +37,8 @@ std::optional<Rational> number_or_none(const std::string& option, const std::str
   return text.empty() ? std::nullopt : std::optional(number(option, text));
 }
 
-imported::PlanarOptions options_of(const ImportArguments& arguments) {
-  imported::PlanarOptions options;
-  options.plane = arguments.plane;
+imported::TouchOptions options_of(const ImportArguments& arguments) {
+  imported::TouchOptions options;
   options.mu = number_or_none("--mu", arguments.mu);
   options.ground = number_or_none("--ground", arguments.ground);
   options.gravity = number_or_none("--gravity", arguments.gravity);
@@ -55,27 +55,46 @@ void tell(const ImportArguments& arguments, const std::vector<std::string>& impo
   for (const std::string& one : import_notes) std::cerr << arguments.file << ": " << one << '\n';
 }
 
+/// What was made of a scene: a text, and what is told about it.
+struct Written {
+  std::string text;
+  std::vector<std::string> import_notes;
+  std::string words;
+};
+
+Written write_scene(const ImportArguments& arguments, imported::Scene scene) {
+  const imported::TouchOptions touch = options_of(arguments);
+  const std::size_t bodies = scene.bodies.size() - 1;
+  if (arguments.space) {
+    const imported::SpaceMechanism found = to_space(
+        std::move(scene),
+        {touch, arguments.without_overlaps ? imported::Overlaps::left_out : imported::Overlaps::within_one_robot,
+         arguments.stand});
+    return {found.text, found.import_notes,
+            fmt::format("bodies {} contacts {} in space", found.bodies, found.contacts)};
+  }
+  if (arguments.spatial) {
+    const imported::SpatialProblem found = to_spatial(std::move(scene), touch);
+    return {to_json(found.problem), found.import_notes,
+            fmt::format("bodies {} contacts {} in space", bodies, found.problem.contacts.size())};
+  }
+  const imported::PlanarMechanism found = to_planar(std::move(scene), {touch, arguments.plane});
+  return {found.text, found.import_notes,
+          fmt::format("bodies {} contacts {} plane {}", bodies, found.contacts, found.plane)};
+}
+
 void import_scene(const ImportArguments& arguments) {
-  const imported::PlanarOptions options = options_of(arguments);
+  options_of(arguments);  // refuses what is no number, before a file is read
   Inputs inputs;
   inputs.add(arguments.file);
   const OutputFile output(arguments.output, inputs);
   expect_ending("--output", arguments.output, {arguments.spatial ? ".json" : ".toml"});
-  imported::Scene scene = imported::read_scene_of_bodies(arguments.file);
-  const std::size_t bodies = scene.bodies.size() - 1;
-  if (arguments.spatial) {
-    const imported::SpatialProblem found = to_spatial(std::move(scene), options);
-    tell(arguments, found.import_notes);
-    output.write(to_json(found.problem));
-    print(fmt::format("s IMPORTED {} bodies {} contacts {} in space\n", arguments.output, bodies,
-                      found.problem.contacts.size()));
-  } else {
-    const imported::PlanarMechanism found = to_planar(std::move(scene), options);
-    tell(arguments, found.import_notes);
-    output.write(found.text);
-    print(fmt::format("s IMPORTED {} bodies {} contacts {} plane {}\n", arguments.output, bodies, found.contacts,
-                      found.plane));
-  }
+  const Written written = write_scene(
+      arguments, imported::read_scene_of_bodies(arguments.file, {arguments.key, arguments.without_meshes,
+                                                                 number_or_none("--mass", arguments.mass)}));
+  tell(arguments, written.import_notes);
+  output.write(written.text);
+  print(fmt::format("s IMPORTED {} {}\n", arguments.output, written.words));
 }
 
 void add_import(CLI::App& app, int& exit_code) {
@@ -89,8 +108,19 @@ void add_import(CLI::App& app, int& exit_code) {
       .add_option("--plane", options->plane,
                   "The plane that it is seen in: xz, yz or xy; the first that fits, if left out")
       ->check(CLI::IsMember({"xz", "yz", "xy"}));
-  command.add_flag("--spatial", options->spatial,
-                   "Write the contact problem in space, at rest, in place of a mechanism");
+  CLI::Option* space = command.add_flag("--space", options->space, "Write a mechanism in space");
+  command
+      .add_flag("--spatial", options->spatial, "Write the contact problem in space, at rest, in place of a mechanism")
+      ->excludes(space);
+  command.add_option("--key", options->key, "The keyframe of an MJCF file: its places, velocities and controls");
+  command.add_flag("--stand", options->stand, "Move robots that nothing holds up or down to stand on the ground")
+      ->needs(space);
+  command
+      .add_flag("--without-overlaps", options->without_overlaps,
+                "Leave contacts out of shapes that are inside each other; of one robot they always are")
+      ->needs(space);
+  command.add_option("--mass", options->mass, "The mass of bodies that have none, and their inertia about all axes");
+  command.add_flag("--without-meshes", options->without_meshes, "Leave shapes out that are meshes");
   command.add_option("--touch", options->touch, "How far apart, or inside each other, shapes touch [0.0001]");
   command.add_option("--mu", options->mu, "The coefficient of friction of all contacts; URDF has none of its own");
   command.add_option("--ground", options->ground, "Add a level ground at this height; URDF has none");

@@ -1,0 +1,262 @@
+#include "contact/exchange/space_mechanism.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/input/toml.hpp"
+#include "base/number/format.hpp"
+#include "base/output/listed.hpp"
+#include "contact/exchange/shapes/polytope.hpp"
+#include "contact/exchange/shapes/spatial_contacts.hpp"
+#include "contact/exchange/shapes/stand.hpp"
+#include "mechanics/reading/read_mechanism.hpp"
+
+namespace slipproof::imported {
+
+namespace {
+
+std::string toml(const Rational& x) {
+  return toml_string(exact_text(x));
+}
+std::string toml(const Vector& v) {
+  return fmt::format("[{}, {}, {}]", toml(v.x), toml(v.y), toml(v.z));
+}
+bool is_zero(const Vector& v) {
+  return v == Vector{};
+}
+
+class SpaceWriter {
+ public:
+  SpaceWriter(Scene& scene, const SpaceOptions& options, Mistakes& mistakes)
+      : scene_(scene), options_(options), mistakes_(mistakes) {
+    names_("ground");
+  }
+
+  SpaceMechanism write() {
+    for (const OnlyInSpace& one : scene_.only_in_space) {
+      if (!one.left_out.empty()) scene_.import_notes.push_back(one.left_out);
+    }
+    body_names_.emplace_back("ground");
+    for (std::size_t i = 1; i < scene_.bodies.size(); ++i) body_names_.push_back(names_(scene_.bodies[i].name));
+    for (std::size_t i = 1; i < scene_.bodies.size(); ++i) add_fixed_armatures(i);
+    held_.resize(scene_.bodies.size());
+    const std::string touching = contacts();
+    std::string joints, bodies, pushes;
+    for (const Joint& one : scene_.joints) {
+      held_[one.first] = held_[one.second] = true;
+      joints += joint(one);
+    }
+    for (std::size_t i = 1; i < scene_.bodies.size(); ++i) bodies += body(i);
+    for (const Push& one : scene_.pushes) pushes += push(one);
+    if (result_.bodies == 0) {
+      mistakes_.add({}, "found nothing that touches within " + options_.touch.str() +
+                            " and no joint, expected contacts or joints (--touch, --ground, --stand)");
+    }
+    result_.import_notes = scene_.import_notes;
+    result_.text = head() + bodies + rotors_ + joints + touching + pushes;
+    return std::move(result_);
+  }
+
+ private:
+  std::string head() const {
+    std::string text =
+        fmt::format("# {} {} in space. What was left out, moved, turned or assumed:\n", scene_.format, scene_.name);
+    for (const std::string& one : result_.import_notes) text += "# - " + one + "\n";
+    text += "schema = \"slipproof/mechanism/1\"\n";
+    text += "name = " + toml_string(scene_.name.empty() ? scene_.format : scene_.name) + "\ndimension = 3\n";
+    text += "gravity = " + (is_zero(*scene_.gravity) ? "\"none\"" : toml(*scene_.gravity)) + "\n";
+    return text;
+  }
+
+  std::string body_text(const std::string& name, const Rational& mass, const Inertia& j, const Vector& at,
+                        const Vector& velocity, const Vector& spin) {
+    ++result_.bodies;
+    std::vector<Rational> inertia{j.xx, j.yy, j.zz};
+    if (!j.xy.is_zero() || !j.xz.is_zero() || !j.yz.is_zero()) inertia.insert(inertia.end(), {j.xy, j.xz, j.yz});
+    std::string text = fmt::format("\n[[body]]\nname = {}\nmass = {}\ninertia = [{}]\nat = {}\n", toml_string(name),
+                                   toml(mass), listed(inertia, [](const Rational& x) { return toml(x); }), toml(at));
+    if (!is_zero(velocity)) text += "velocity = " + toml(velocity) + "\n";
+    if (!is_zero(spin)) text += "spin = " + toml(spin) + "\n";
+    return text;
+  }
+
+  /// Nothing for a body in free fall, of which there is nothing to ask.
+  std::string body(std::size_t i) {
+    const Body& body = scene_.bodies[i];
+    if (!held_[i]) {
+      scene_.import_notes.push_back("left out: " + body.name + ", which falls freely: nothing touches or holds it");
+      return "";
+    }
+    std::string text = body_text(body_names_[i], body.mass, body.inertia, body.at, body.velocity, body.spin);
+    std::vector<std::string> shapes;
+    for (const Shape& shape : body.shapes) shapes.push_back(shape_text(shape, body.at));
+    if (shapes.size() == 1) text += "shape = " + shapes[0] + "\n";
+    if (shapes.size() > 1) text += "shape = [" + listed(shapes) + "]\n";
+    return text;
+  }
+
+  /// In the axes of the body, which are those of the scene.
+  static std::string shape_text(const Shape& shape, const Vector& centre) {
+    const Vector at = shape.pose.at - centre, &axis = shape.pose.turn.axes[2];
+    switch (shape.kind) {
+      case Shape::Kind::sphere:
+        return fmt::format("{{ sphere = {}, at = {} }}", toml(shape.radius), toml(at));
+      case Shape::Kind::cylinder:
+      case Shape::Kind::capsule:
+        return fmt::format("{{ {} = [{}, {}], at = {}, axis = {} }}", name(shape.kind), toml(shape.radius),
+                           toml(2 * shape.half_length), toml(at), toml(axis));
+      default:
+        break;
+    }
+    const bool along = shape.kind == Shape::Kind::box && shape.pose.turn.axes == Turn().axes;
+    if (along) return fmt::format("{{ box = {}, at = {} }}", toml(Rational(2) * shape.half), toml(at));
+    return "{ hull = [" + listed(polytope_of(shape).corners, [&](const Vector& p) { return toml(p - centre); }) + "] }";
+  }
+
+  Vector in_body(std::size_t body, const Vector& p) const { return body == 0 ? p : p - scene_.bodies[body].at; }
+
+  std::string between(std::size_t first, std::size_t second) const {
+    return fmt::format("between = [{}, {}]\n", toml_string(body_names_[first]), toml_string(body_names_[second]));
+  }
+
+  std::string joint(const Joint& joint) {
+    const std::string own = names_(joint.name);
+    constexpr std::array<std::string_view, 4> kinds{"weld", "hinge", "slider", "ball"};
+    std::string text = fmt::format("\n[[joint]]\nname = {}\nkind = \"{}\"\n{}at = {}\n", toml_string(own),
+                                   kinds[static_cast<std::size_t>(joint.kind)], between(joint.first, joint.second),
+                                   toml(in_body(joint.first, joint.at)));
+    if (joint.kind != Joint::Kind::ball) {
+      text += "axis = " + toml(unit_of(joint.axis)) + "\n";
+    }
+    if (!joint.friction.is_zero()) {
+      scene_.import_notes.push_back(fmt::format("{}: its friction of up to {} {} is left out", joint.name,
+                                                exact_text(joint.friction),
+                                                joint.kind == Joint::Kind::slide ? "N" : "N m"));
+    }
+    return text + armature(joint);
+  }
+
+  static bool turns_on_ground(const Joint& joint) {
+    return joint.first == 0 && joint.kind != Joint::Kind::ball && !joint.armature.is_zero();
+  }
+
+  /// What turns about a fixed axis has the armature as an inertia of its own; what slides along one, as a mass, whose
+  /// weight is taken back.
+  void add_fixed_armatures(std::size_t i) {
+    for (const Joint& joint : scene_.joints) {
+      if (joint.second != i || !turns_on_ground(joint)) continue;
+      Body& body = scene_.bodies[i];
+      const Rational& a = joint.armature;
+      if (joint.kind == Joint::Kind::hinge) {
+        body.inertia = body.inertia + Inertia{a, a, a, 0, 0, 0};
+        scene_.import_notes.push_back(joint.name + ": its armature " + exact_text(a) + " is inertia of " + body.name);
+      } else {
+        body.mass += a;
+        scene_.pushes.push_back({joint.name + "_armature", i, 0, -a * *scene_.gravity, body.at, {}});
+        scene_.import_notes.push_back(joint.name + ": its armature " + exact_text(a) + " is mass of " + body.name +
+                                      ", without weight");
+      }
+    }
+  }
+
+  /// A rotor on the first body that turns `ratio` times as fast as the second, with the inertia a/ratio^2.
+  std::string armature(const Joint& joint) {
+    if (joint.armature.is_zero() || turns_on_ground(joint)) return "";
+    if (joint.kind != Joint::Kind::hinge) {
+      scene_.import_notes.push_back(
+          joint.name + ": its armature " + exact_text(joint.armature) + " is left out: " +
+          (joint.kind == Joint::Kind::slide ? "it slides on a body that moves" : "it is a ball joint"));
+      return "";
+    }
+    const Rational ratio(1'000'000'000'000'000);
+    const Rational j = joint.armature / (ratio * ratio);
+    const Body& first = scene_.bodies[joint.first];
+    const Vector axis = unit_of(joint.axis);
+    const Vector relative = scene_.bodies[joint.second].spin - first.spin;
+    const std::string rotor = names_(joint.name + "_rotor");
+    rotors_ +=
+        body_text(rotor, 0, {j, j, j, 0, 0, 0}, joint.at, first.velocity + cross(first.spin, joint.at - first.at),
+                  first.spin + ratio * dot(relative, axis) * axis);
+    const std::string holder = toml_string(body_names_[joint.first]), axis_text = toml(axis);
+    std::string text = fmt::format("\n[[joint]]\nname = {}\nkind = \"hinge\"\nbetween = [{}, {}]\nat = {}\naxis = {}\n",
+                                   toml_string(names_(rotor + "_axle")), holder, toml_string(rotor),
+                                   toml(in_body(joint.first, joint.at)), axis_text);
+    text += fmt::format(
+        "\n[[joint]]\nname = {}\nkind = \"gear\"\nbetween = [{}, {}]\ncarrier = {}\nratio = {}\naxis = {}\n",
+        toml_string(names_(rotor + "_gear")), toml_string(body_names_[joint.second]), toml_string(rotor), holder,
+        toml(ratio), axis_text);
+    scene_.import_notes.push_back(fmt::format(
+        "{}: its armature {} is a rotor without mass that turns 1e15 times as fast as the joint, right to 1e-15",
+        joint.name, exact_text(joint.armature)));
+    return text;
+  }
+
+  std::string contacts() {
+    std::string text;
+    const bool moving = std::ranges::any_of(
+        scene_.bodies, [](const Body& body) { return !is_zero(body.velocity) || !is_zero(body.spin); });
+    for (const SpatialContact& c :
+         spatial_contacts(scene_, options_.touch, mistakes_, scene_.import_notes, options_.overlaps)) {
+      const std::string own = names_(c.shape_of->name + "_on_" + c.shape_on->name);
+      text += fmt::format("\n[[contact]]\nname = {}\nof = {}\npoint = {}\n", toml_string(own),
+                          toml_string(body_names_[c.of]), toml(in_body(c.of, c.at + c.radius * c.normal)));
+      if (!c.radius.is_zero()) text += "radius = " + toml(c.radius) + "\n";
+      if (c.on != 0) text += "on = " + toml_string(body_names_[c.on]) + "\n";
+      if (c.on_radius) {
+        text += fmt::format("on_point = {}\non_radius = {}\n", toml(in_body(c.on, c.at - *c.on_radius * c.normal)),
+                            toml(*c.on_radius));
+      } else {
+        text += fmt::format("normal = {}\nthrough = {}\n", toml(c.normal), toml(in_body(c.on, c.at)));
+      }
+      text += "friction = " + toml(friction_at(scene_, *c.shape_on, *c.shape_of, options_, mistakes_)) + "\n";
+      ++result_.contacts;
+      held_[c.of] = held_[c.on] = true;
+      if (!c.distance.is_zero()) {
+        scene_.import_notes.push_back(own + ": " + distance_in_words(c.distance) + ", moved to touch");
+      }
+      if (c.only_at_rest && moving) {
+        scene_.import_notes.push_back(own + ": the curvature there is left out, which counts for bodies that move");
+      }
+    }
+    return text;
+  }
+
+  std::string push(const Push& push) {
+    std::string text;
+    if (!held_[push.on] && push.on != 0) return text;
+    const std::string on = toml_string(body_names_[push.on]);
+    const std::string back = push.back_on == 0 ? "" : "back_on = " + toml_string(body_names_[push.back_on]) + "\n";
+    if (push.on == 0)
+      return this->push({push.name, push.back_on, 0, Rational(-1) * push.force, push.at, Rational(-1) * push.couple});
+    if (!is_zero(push.force)) {
+      text += fmt::format("\n[[force]]\non = {}\nat = {}\nis = {}\n{}", on, toml(in_body(push.on, push.at)),
+                          toml(push.force), back);
+    }
+    if (!is_zero(push.couple)) text += fmt::format("\n[[torque]]\non = {}\nis = {}\n{}", on, toml(push.couple), back);
+    return text;
+  }
+
+  Scene& scene_;
+  const SpaceOptions& options_;
+  Mistakes& mistakes_;
+  Identifiers names_;
+  std::vector<std::string> body_names_;
+  std::string rotors_;
+  std::vector<bool> held_;  ///< the bodies that something touches, or a joint has
+  SpaceMechanism result_;
+};
+
+}  // namespace
+
+SpaceMechanism to_space(Scene scene, const SpaceOptions& options) {
+  complete(scene, options);
+  if (options.stand) stand_on_ground(scene);
+  Mistakes mistakes(scene.file);
+  SpaceMechanism result = SpaceWriter(scene, options, mistakes).write();
+  mistakes.refuse_if_any();
+  parse_mechanism(result.text, "the mechanism that follows from " + scene.file);  // refuses what no mechanism is
+  return result;
+}
+
+}  // namespace slipproof::imported

@@ -1,0 +1,341 @@
+// Imported scenes against MuJoCo at the same state: its matrix of inertia, its bias and applied forces, and the
+// Jacobians of its contacts. The scene has coordinates of all bodies; MuJoCo's velocities of bodies for each of its own
+// coordinates project the one to the other.
+#include <doctest/doctest.h>
+#include <mujoco/mujoco.h>
+
+#include <Eigen/Dense>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "base/number/binary64.hpp"
+#include "base/number/parse.hpp"
+#include "contact/exchange/export_scene.hpp"
+#include "contact/exchange/space_mechanism.hpp"
+#include "contact/imported/parsers.hpp"
+#include "contact/imported/read_scene.hpp"
+#include "mechanics/bodies/bodies.hpp"
+#include "mechanics/scene/scene.hpp"
+
+using namespace slipproof;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr double near_enough = 1e-9;
+
+/// What the scene says, in binary64.
+struct Ours {
+  std::vector<std::string> names;
+  std::vector<Vector3d> at;
+  MatrixXd M, H, G;
+  VectorXd f, b;
+};
+
+MatrixXd dense(const RationalMatrix& matrix, Eigen::Index rows) {
+  MatrixXd result(rows, matrix.empty() ? 0 : static_cast<Eigen::Index>(matrix[0].size()));
+  for (Eigen::Index i = 0; i < result.rows() && result.cols() > 0; ++i) {
+    for (Eigen::Index j = 0; j < result.cols(); ++j) {
+      result(i, j) = nearest_binary64(matrix[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]);
+    }
+  }
+  return result;
+}
+VectorXd dense(const std::vector<Rational>& vector) {
+  VectorXd result(static_cast<Eigen::Index>(vector.size()));
+  for (Eigen::Index i = 0; i < result.size(); ++i) result(i) = nearest_binary64(vector[static_cast<std::size_t>(i)]);
+  return result;
+}
+
+/// The three numbers of a line such as `at = ["1", "0", "1/2"]`.
+Vector3d vector_in(const std::string& line) {
+  Vector3d result;
+  std::size_t from = line.find('"');
+  for (int k = 0; k < 3; ++k) {
+    const std::size_t to = line.find('"', from + 1);
+    result(k) = nearest_binary64(parse_rational(line.substr(from + 1, to - from - 1)));
+    from = line.find('"', to + 1);
+  }
+  return result;
+}
+
+Ours ours(const std::string& text) {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "slipproof-against-mujoco.toml";
+  std::ofstream(file) << text;
+  const MechanismScene scene = read_scene(file.string());
+  const GlobalProblem problem = global_problem(scene);
+  std::filesystem::remove(file);
+  Ours result;
+  std::istringstream lines(text);
+  bool in_body = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("[[", 0) == 0) in_body = line == "[[body]]";
+    if (in_body && line.rfind("at = ", 0) == 0) result.at.push_back(vector_in(line));
+  }
+  for (const auto& body : scene.mechanism.bodies->bodies) result.names.push_back(body.name);
+  result.names.erase(result.names.begin());  // the ground
+  const auto rows = static_cast<Eigen::Index>(problem.M.size());
+  result.M = dense(problem.M, rows);
+  result.H = dense(problem.H, rows);
+  result.G = dense(problem.G, rows);
+  result.f = dense(problem.f);
+  result.b = dense(problem.b);
+  return result;
+}
+
+/// MuJoCo's model in the state of a keyframe, or in its own.
+struct Theirs {
+  mjModel* m = nullptr;
+  mjData* d = nullptr;
+
+  Theirs(const std::string& file, const std::string& key) {
+    std::array<char, 1000> error{};
+    m = mj_loadXML(file.c_str(), nullptr, error.data(), static_cast<int>(error.size()));
+    CAPTURE(error.data());
+    REQUIRE(m != nullptr);
+    d = mj_makeData(m);
+    if (!key.empty()) mj_resetDataKeyframe(m, d, mj_name2id(m, mjOBJ_KEY, key.c_str()));
+    mj_forward(m, d);
+  }
+  ~Theirs() {
+    mj_deleteData(d);
+    mj_deleteModel(m);
+  }
+  Theirs(const Theirs&) = delete;
+  Theirs& operator=(const Theirs&) = delete;
+
+  std::string name(int body) const {
+    const char* given = mj_id2name(m, mjOBJ_BODY, body);
+    std::string result = given != nullptr && *given != '\0' ? given : "body" + std::to_string(body);
+    for (char& c : result) c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+    return result;
+  }
+  /// The centre of mass of a body with all that is fixed to it.
+  Vector3d centre(int body) const {
+    Vector3d sum = Vector3d::Zero();
+    double mass = 0;
+    for (int i = 1; i < m->nbody; ++i) {
+      if (m->body_weldid[i] != m->body_weldid[body]) continue;
+      sum += m->body_mass[i] * Vector3d(d->xipos + 3 * i);
+      mass += m->body_mass[i];
+    }
+    return mass > 0 ? Vector3d(sum / mass) : Vector3d(d->xipos + 3 * body);
+  }
+  /// Six rows: the velocity of a point of a body, and its spin, for each of MuJoCo's coordinates.
+  MatrixXd jacobian(int body, const Vector3d& at) const {
+    Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor> along(3, m->nv), turning(3, m->nv);
+    mj_jac(m, d, along.data(), turning.data(), at.data(), body);
+    MatrixXd all(6, m->nv);
+    all << along, turning;
+    return all;
+  }
+  /// The accelerations that the velocities alone bring, at a point of a body.
+  VectorXd bias_acceleration(int body, const Vector3d& at) {
+    std::vector<mjtNum> kept(d->qacc, d->qacc + m->nv);
+    std::fill(d->qacc, d->qacc + m->nv, 0);
+    mj_rnePostConstraint(m, d);
+    std::array<mjtNum, 6> acceleration{}, velocity{};
+    mj_objectAcceleration(m, d, mjOBJ_BODY, body, acceleration.data(), 0);
+    mj_objectVelocity(m, d, mjOBJ_BODY, body, velocity.data(), 0);
+    std::copy(kept.begin(), kept.end(), d->qacc);
+    const Vector3d turning(acceleration.data()), spin(velocity.data()), arm = at - Vector3d(d->xipos + 3 * body);
+    const Vector3d along =
+        Vector3d(acceleration.data() + 3) + Vector3d(m->opt.gravity) + turning.cross(arm) + spin.cross(spin.cross(arm));
+    VectorXd all(6);
+    all << along, turning;
+    return all;
+  }
+};
+
+class Comparison {
+ public:
+  Comparison(const Ours& own, Theirs& theirs) : o_(own), t_(theirs), nv_(theirs.m->nv) {}
+
+  void compare() {
+    const auto bodies = static_cast<Eigen::Index>(o_.names.size());
+    T_ = MatrixXd::Zero(6 * bodies, nv_);
+    a_ = VectorXd::Zero(6 * bodies);
+    known_.assign(o_.names.size(), false);
+    for (int body = 1; body < t_.m->nbody; ++body) know(body);
+    extend(false);
+    extend(true);
+    compare_inertia();
+    compare_forces();
+    compare_contacts();
+    if (t_.m->neq == 0 && o_.G.cols() > 0) {
+      double worst = 0;
+      for (Eigen::Index j = 0; j < o_.G.cols(); ++j) {
+        worst = std::max(worst, (o_.G.col(j).transpose() * T_).norm() / o_.G.col(j).norm() / std::max(1.0, scale(j)));
+      }
+      CHECK(worst < near_enough);
+    }
+  }
+
+ private:
+  void know(int body) {
+    const auto found = std::find(o_.names.begin(), o_.names.end(), t_.name(body));
+    if (found == o_.names.end()) return;
+    const auto i = static_cast<std::size_t>(found - o_.names.begin());
+    known_[i] = true;
+    const auto row = 6 * static_cast<Eigen::Index>(i);
+    T_.middleRows(row, 6) = t_.jacobian(body, o_.at[i]);
+    a_.segment(row, 6) = t_.bias_acceleration(body, o_.at[i]);
+  }
+
+  double scale(Eigen::Index link) const {  // rotors turn fast
+    double greatest = 0;
+    for (Eigen::Index i = 0; i < T_.rows(); ++i) {
+      if (o_.G(i, link) != 0) greatest = std::max(greatest, T_.row(i).norm());
+    }
+    return greatest;
+  }
+
+  bool is_rotor(std::size_t i) const { return o_.names[i].find("_rotor") != std::string::npos; }
+
+  /// Links without mass, and then rotors, move as their joints make them.
+  void extend(bool rotors) {
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < known_.size(); ++i) {
+      if (!known_[i] && (rotors || !is_rotor(i))) open.push_back(i);
+    }
+    if (open.empty()) return;
+    std::vector<Eigen::Index> links;
+    for (Eigen::Index j = 0; j < o_.G.cols(); ++j) {
+      bool touches = false, usable = true;
+      for (std::size_t i = 0; i < known_.size(); ++i) {
+        const bool has = !o_.G.col(j).segment(6 * static_cast<Eigen::Index>(i), 6).isZero(0);
+        touches = touches || (has && !known_[i]);
+        usable = usable && !(has && is_rotor(i) && !rotors);
+      }
+      if (touches && usable) links.push_back(j);
+    }
+    MatrixXd left(static_cast<Eigen::Index>(links.size()), 6 * static_cast<Eigen::Index>(open.size()));
+    MatrixXd right(left.rows(), nv_ + 1);
+    for (Eigen::Index k = 0; k < left.rows(); ++k) {
+      const VectorXd column = o_.G.col(links[static_cast<std::size_t>(k)]);
+      for (std::size_t i = 0; i < open.size(); ++i) {
+        left.block(k, 6 * static_cast<Eigen::Index>(i), 1, 6) =
+            column.segment(6 * static_cast<Eigen::Index>(open[i]), 6).transpose();
+      }
+      right.row(k).head(nv_) = -column.transpose() * T_;
+      right(k, nv_) = -o_.b(links[static_cast<std::size_t>(k)]) - column.dot(a_);
+    }
+    const MatrixXd found = left.colPivHouseholderQr().solve(right);
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      const auto own = 6 * static_cast<Eigen::Index>(i), row = 6 * static_cast<Eigen::Index>(open[i]);
+      T_.middleRows(row, 6) = found.block(own, 0, 6, nv_);
+      a_.segment(row, 6) = found.block(own, nv_, 6, 1);
+      known_[open[i]] = true;
+    }
+  }
+
+  void compare_inertia() {
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> expected(nv_, nv_);
+    mj_fullM(t_.m, expected.data(), t_.d->qM);
+    const MatrixXd found = T_.transpose() * o_.M * T_;
+    double worst = 0;
+    for (Eigen::Index i = 0; i < nv_; ++i) {
+      for (Eigen::Index j = 0; j < nv_; ++j) {
+        worst = std::max(worst, std::abs(found(i, j) - expected(i, j)) / std::sqrt(expected(i, i) * expected(j, j)));
+      }
+    }
+    CHECK(worst < near_enough);
+  }
+
+  void compare_forces() {
+    const VectorXd found = T_.transpose() * (o_.f - o_.M * a_);
+    VectorXd expected(nv_);
+    double greatest = 0;
+    for (int i = 0; i < nv_; ++i) {
+      expected(i) = t_.d->qfrc_passive[i] + t_.d->qfrc_actuator[i] - t_.d->qfrc_bias[i];
+      greatest = std::max({greatest, std::abs(t_.d->qfrc_passive[i]), std::abs(t_.d->qfrc_bias[i])});
+    }
+    CHECK((found - expected).cwiseAbs().maxCoeff() < near_enough * std::max(1.0, greatest));
+  }
+
+  /// Each contact of MuJoCo has one of ours, with the same rows; where its points are its own choice, it may have none.
+  void compare_contacts() {
+    const MatrixXd rows = o_.H.cols() > 0 ? MatrixXd(o_.H.transpose() * T_) : MatrixXd(0, nv_);
+    int missing = 0, expected = 0;
+    for (int i = 0; i < t_.d->ncon; ++i) {
+      const mjContact& contact = t_.d->contact[i];
+      const int kind1 = t_.m->geom_type[contact.geom1], kind2 = t_.m->geom_type[contact.geom2];
+      const auto chosen = [](int kind) { return kind == mjGEOM_CYLINDER || kind == mjGEOM_MESH; };
+      if (std::abs(contact.dist) > 1e-7 || chosen(kind1) || chosen(kind2)) continue;
+      ++expected;
+      const Vector3d at(contact.pos);
+      const MatrixXd relative =
+          (t_.jacobian(t_.m->geom_bodyid[contact.geom2], at) - t_.jacobian(t_.m->geom_bodyid[contact.geom1], at))
+              .topRows(3);
+      const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> frame(contact.frame);
+      const MatrixXd theirs = frame * relative;
+      bool found = false;
+      for (Eigen::Index k = 0; k + 2 < rows.rows() && !found; k += 3) {
+        const double size = std::max(1.0, theirs.norm());
+        const double sign = rows.row(k).dot(theirs.row(0)) > 0 ? 1 : -1;
+        if ((sign * rows.row(k) - theirs.row(0)).norm() > 1e-6 * size) continue;
+        // Our tangents are theirs, turned about the normal.
+        const MatrixXd own = rows.middleRows(k + 1, 2), base = theirs.middleRows(1, 2);
+        const MatrixXd turn = base.transpose().colPivHouseholderQr().solve(own.transpose());
+        found = (base.transpose() * turn - own.transpose()).norm() < 1e-6 * size;
+      }
+      if (!found) ++missing;
+    }
+    matched_ = expected - missing;
+    CAPTURE(expected);
+    CHECK(missing == 0);
+  }
+
+  const Ours& o_;
+  Theirs& t_;
+  int nv_, matched_ = 0;
+  MatrixXd T_;  ///< velocities of our bodies for each of MuJoCo's coordinates
+  VectorXd a_;  ///< their accelerations where MuJoCo's are 0
+  std::vector<bool> known_;
+};
+
+bool has_parsers() {
+  std::string why;
+  const bool found = imported::find_parsers(why) != nullptr;
+  if (!found) MESSAGE("not tried: " << why);
+  return found;
+}
+
+void compare(const std::string& file, const std::string& key) {
+  CAPTURE(file);
+  CAPTURE(key);
+  const imported::Scene scene = imported::read_scene_of_bodies(file, {key, false, {}});
+  imported::SpaceOptions options;
+  const imported::SpaceMechanism found = to_space(scene, options);
+  Theirs theirs(file, key);
+  const Ours own = ours(found.text);
+  REQUIRE(own.M.rows() == 6 * static_cast<Eigen::Index>(own.names.size()));
+  Comparison(own, theirs).compare();
+}
+
+}  // namespace
+
+TEST_CASE("imported scenes have MuJoCo's inertia, forces and contacts") {
+  if (!has_parsers()) return;
+  const std::string folder = SLIPPROOF_SOURCE_DIR "/cases/imported/";
+  compare(folder + "cart.xml", "");
+  compare(folder + "stool.xml", "");
+  compare(folder + "biped.xml", "");
+  compare(folder + "biped.xml", "walks");
+  compare(folder + "press.xml", "");
+}
+
+TEST_CASE("so have those that SLIPPROOF_MJCF_FILES names") {  // FILE or FILE@KEY, with spaces between them
+  const char* given = std::getenv("SLIPPROOF_MJCF_FILES");
+  if (given == nullptr || !has_parsers()) return;
+  std::istringstream names(given);
+  for (std::string name; names >> name;) {
+    const std::size_t at = name.find('@');
+    compare(name.substr(0, at), at == std::string::npos ? "" : name.substr(at + 1));
+  }
+}
