@@ -12,7 +12,7 @@ namespace slipproof {
 /// A place in a picture, in pixels, y down.
 using Point = std::array<double, 2>;
 
-enum class ArrowLine : std::uint8_t { solid, dashed };
+enum class ArrowLine : std::uint8_t { solid, dashed, dotted };
 
 /// Adds an arrow from a point along (dx, dy); its tip is at the end of this vector. Adds nothing if it would be shorter
 /// than a pixel.

@@ -1,14 +1,11 @@
 #include "report/picture/mechanism_geometry.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "base/input/diagnostic.hpp"
-#include "base/number/binary64.hpp"
 #include "mechanics/bodies/frame.hpp"
+#include "report/picture/scene_numbers.hpp"
 
 namespace slipproof {
 
@@ -22,17 +19,6 @@ Point opposite(Point vector) {
   return {-vector[0], -vector[1]};
 }
 
-}  // namespace
-
-std::string rounded_value(double x) {
-  std::string text = fmt::format("{:.4g}", x);
-  const bool exact = std::abs(std::stod(text) - x) <= 1e-12 * std::abs(x);
-  if (text[0] == '-') text.replace(0, 1, "−");
-  return (exact ? "= " : "≈ ") + text;
-}
-
-namespace {
-
 /// The square root of a number that is a square of a rational one.
 std::optional<Rational> exact_root(const Rational& x) {
   const Integer above = sqrt(numerator(x)), below = sqrt(denominator(x));
@@ -42,12 +28,7 @@ std::optional<Rational> exact_root(const Rational& x) {
 
 class GeometryReader {
  public:
-  explicit GeometryReader(const MechanismScene& scene)
-      : scene_(scene), maker_(scene.mechanism), at_(maker_.at(scene.values)) {
-    const bool positive = maker_.load_domain(scene.values).contains(Rational(1));
-    if (scene.mechanism.load)
-      at_.set(maker_.compiled().load(), scene.load.value_or(positive ? Rational(1) : Rational(-1)));
-  }
+  explicit GeometryReader(const MechanismScene& scene) : scene_(scene), numbers_(scene) {}
 
   MechanismGeometry read(bool still) {
     MechanismGeometry geometry;
@@ -95,8 +76,7 @@ class GeometryReader {
   void take_load_arrows(MechanismGeometry& geometry) {
     using Kind = MechanismShape::Kind;
     auto& outlines = geometry.outlines;
-    const double size =
-        nearest_binary64(*at_.number(maker_.compiled().compile(make_symbol(scene_.mechanism.load->symbol))).number);
+    const double size = number(make_symbol(scene_.mechanism.load->symbol));
     for (std::size_t i = 0; i < outlines.size(); ++i) {
       if (outlines[i].kind != Kind::arrow) continue;
       const Point from = outlines[i].points[0], to = outlines[i].points[1];
@@ -109,7 +89,7 @@ class GeometryReader {
       const Point along = unit({size * (to[0] - from[0]), size * (to[1] - from[1])});
       if (size != 0)
         geometry.pushes.push_back(
-            {begins ? from : to, along, std::abs(size), label->text, value_of(make_symbol(label->text)), begins});
+            {begins ? from : to, along, std::abs(size), label->text, numbers_.value_of(make_symbol(label->text)), begins});
       label->points.clear(), outlines[i].points.clear();
     }
     std::erase_if(outlines, [](const auto& outline) { return outline.points.empty(); });
@@ -140,7 +120,7 @@ class GeometryReader {
                 place = point(on.at + on.in_scene(bodies_in_motion::unplaced(force.at)));
     const double size = std::hypot(push[0], push[1]);
     if (size == 0) return;
-    const auto [name, value] = name_of(force.is);
+    const auto [name, value] = numbers_.name_of(force.is);
     pushes.push_back({place, unit(push), size, name, value});
     if (force.back_on && *force.back_on != ground) pushes.push_back({place, opposite(unit(push)), size, name, value});
   }
@@ -197,40 +177,11 @@ class GeometryReader {
     geometry.turned = std::atan2(sine, cosine);
   }
 
-  /// Its name and value, without the sign, which the arrow shows. A product that has the size of the load has its name.
-  std::pair<std::string, std::string> text_of(const PlacedExpression& placed) {
-    const Expression& e = placed.expression;
-    const Expression named = e->operation == Operation::negate ? e->operands[0] : e;
-    std::string text = to_string(named);
-    const auto& load = scene_.mechanism.load;
-    const bool compound = text.find_first_of("*+/( ") != text.npos;
-    if (compound && load && scene_.load && abs(exact(e)) == abs(*scene_.load)) return text_of_load();
-    return {text, value_of(named)};
-  }
-  std::pair<std::string, std::string> text_of_load() {
-    const std::string& symbol = scene_.mechanism.load->symbol;
-    return {symbol, value_of(make_symbol(symbol))};
-  }
-  std::string value_of(const Expression& named) {
-    const bool known = scene_.load || !scene_.mechanism.load;
-    return known && named->operation != Operation::number ? rounded_value(number(named)) : std::string();
-  }
-  std::pair<std::string, std::string> name_of(const PlacedVector& pair) {
-    if (is_literal_zero(pair.x.expression)) return text_of(pair.y);
-    if (is_literal_zero(pair.y.expression)) return text_of(pair.x);
-    return {"(" + to_string(pair.x.expression) + ", " + to_string(pair.y.expression) + ")", {}};
-  }
-
-  Rational exact(const PlacedExpression& placed) {
-    auto value = at_.number(maker_.compiled().compile(placed.expression));
-    if (value.number) return std::move(*value.number);
-    const Place place = placed.place();
-    throw InputError({{scene_.mechanism.file, place.line, place.column,
-                       "found " + in_quotes(placed.text.text()) + ", expected a coordinate that has a value there"}});
-  }
-  Rational exact(const Expression& expression) { return exact(PlacedExpression{expression, {}}); }
-  double number(const PlacedExpression& placed) { return nearest_binary64(exact(placed)); }
-  double number(const Expression& expression) { return nearest_binary64(exact(expression)); }
+  std::pair<std::string, std::string> text_of(const PlacedExpression& placed) { return numbers_.text_of(placed); }
+  Rational exact(const PlacedExpression& placed) { return numbers_.exact(placed); }
+  Rational exact(const Expression& expression) { return numbers_.exact(expression); }
+  double number(const PlacedExpression& placed) { return numbers_.number(placed); }
+  double number(const Expression& expression) { return numbers_.number(expression); }
   Point point(const bodies_in_motion::SceneVector& v) { return {number(v.x), number(v.y)}; }
   Point pair(const std::vector<PlacedExpression>& two) { return {number(two[0]), number(two[1])}; }
 
@@ -247,8 +198,7 @@ class GeometryReader {
   }
 
   const MechanismScene& scene_;
-  ProblemMaker maker_;
-  Evaluator<Rational> at_;
+  SceneNumbers numbers_;
   std::vector<bodies_in_motion::Frame> frames_;
 };
 

@@ -64,9 +64,6 @@ struct MechanismGeometry {
   double turned = 0;  ///< by this angle, counterclockwise
 };
 
-/// `= 3`; `≈ 2.236`.
-std::string rounded_value(double x);
-
 /// With the shapes that are `still` if no motion is drawn. Throws InputError if a coordinate has no value in the scene.
 MechanismGeometry geometry_of(const MechanismScene& scene, bool still);
 

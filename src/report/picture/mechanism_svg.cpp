@@ -11,9 +11,7 @@
 #include <vector>
 
 #include "base/input/diagnostic.hpp"
-#include "base/input/utf8.hpp"
 #include "base/number/binary64.hpp"
-#include "report/markup/number.hpp"
 #include "report/picture/arrows/mechanism_arrows.hpp"
 #include "report/picture/drawing.hpp"
 #include "report/picture/labels/contact_table.hpp"
@@ -21,7 +19,6 @@
 #include "report/picture/measures.hpp"
 #include "report/picture/mechanism_geometry.hpp"
 #include "report/picture/motion_words.hpp"
-#include "report/picture/palette.hpp"
 #include "report/picture/polyline.hpp"
 
 namespace slipproof {
@@ -30,8 +27,7 @@ namespace {
 
 using ShapeKind = MechanismShape::Kind;
 
-constexpr double drawn_width = 270, drawn_height = 220, least_width = 360, widest = 456, longest_force = 72,
-                 surface = 30, letter_width = 0.62, text_line = 17, free_margin = 10, opening = 14;
+constexpr double drawn_width = 270, drawn_height = 220, longest_force = 72, surface = 30, opening = 14;
 /// Of pictures of many contacts.
 constexpr double large_width = 420, large_height = 400;
 
@@ -43,7 +39,8 @@ class MechanismDrawing {
         motion_(motion),
         look_(look),
         numbers_(look.numbers ? *look.numbers : NumberWords(shown_numbers(scene, motion))),
-        geometry_(geometry_of(scene, motion == nullptr)) {
+        geometry_(geometry_of(scene, motion == nullptr)),
+        frame_(svg) {
     fit();
   }
 
@@ -68,31 +65,12 @@ class MechanismDrawing {
     if (lettered()) table();
   }
 
-  /// Adds lines of text above or below the drawing.
-  void heading(const std::string& name, const std::string& below) {
-    const double left = box_.left;
-    double y = box_.top - (below.empty() ? 10 : 10 + text_line);
-    for (const auto& [words, usual, css] : {std::tuple{name, 16.0, "ink"}, std::tuple{below, 13.0, "soft"}}) {
-      if (words.empty()) continue;
-      const double size = std::min(usual, widest / (letter_width * static_cast<double>(utf8_count(words))));
-      svg_.add("text", css).set("x", left).set("y", y).set("font-size", size).text(words);
-      see({left, y - size, left + letter_width * size * static_cast<double>(utf8_count(words)), y});
-      y += text_line + 1;
-    }
-  }
+  void heading(const std::string& name, const std::string& below) { frame_.heading(name, below); }
   void caption() {
-    const double left = box_.left;
-    double y = box_.bottom + text_line + 2;
-    std::vector<std::string> pieces;
-    if (!look_.brief) {
-      pieces = told();
-      for (std::string& note : notes()) pieces.push_back(std::move(note));
-    }
-    for (const std::string& line : caption_lines(pieces, 54)) {
-      svg_.add("text", "soft halo").set("x", left).set("y", y).set("font-size", 12).text(line);
-      see({left, y - 12, left + letter_width * 12 * static_cast<double>(utf8_count(line)), y + 3});
-      y += text_line;
-    }
+    if (look_.brief) return;
+    std::vector<std::string> pieces = told();
+    for (std::string& note : notes()) pieces.push_back(std::move(note));
+    frame_.caption(pieces);
   }
 
   std::string description() const {
@@ -104,11 +82,7 @@ class MechanismDrawing {
     }
     return fmt::format("{}.", fmt::join(parts, "; "));
   }
-  /// The bounding box of the drawing, with a margin.
-  LabelBox box() const {
-    const double more = std::max(0.0, least_width - (box_.right - box_.left)) / 2 + free_margin;
-    return {box_.left - more, box_.top - free_margin, box_.right + more, box_.bottom + free_margin};
-  }
+  LabelBox box() const { return frame_.box(); }
 
  private:
   /// Chooses the scale so that the drawing fits.
@@ -131,8 +105,8 @@ class MechanismDrawing {
       view_.scale = std::min(across > 0 ? width / across : height / up, up > 0 ? height / up : width / across);
     }
     const Point corner = view_.pixel({all->left, all->bottom}), other = view_.pixel({all->right, all->top});
-    box_ = {corner[0], corner[1], other[0], other[1]};
-    labels_.keep_between(-widest / 2, widest / 2);
+    frame_.begin({corner[0], corner[1], other[0], other[1]});
+    labels_.keep_between(-PictureFrame::widest / 2, PictureFrame::widest / 2);
   }
 
   bool measured() const {
@@ -153,8 +127,8 @@ class MechanismDrawing {
   bool lifts(const MechanismGeometry::Contact& contact) const {
     return motion_ != nullptr && common_state(*motion_, contact.index) == name(ElementState::lift);
   }
-  void see(const LabelBox& box) { box_ = box_.around(box); }
-  void see(Point p) { see({p[0], p[1], p[0], p[1]}); }
+  void see(const LabelBox& box) { frame_.see(box); }
+  void see(Point p) { frame_.see(p); }
 
   void line(Point from, Point to, std::string_view css, double weight) {
     svg_.add("line", css).set("x1", from[0]).set("y1", from[1]).set("x2", to[0]).set("y2", to[1]);
@@ -229,7 +203,7 @@ class MechanismDrawing {
   void table() {
     std::vector<std::size_t> contacts;
     for (const MechanismGeometry::Contact& contact : geometry_.contacts) contacts.push_back(contact.index);
-    see(add_contact_table(svg_, scene_, motion_, contacts, numbers_, {box_.left, box_.bottom + 6}));
+    see(add_contact_table(svg_, scene_, motion_, contacts, numbers_, {frame_.drawn().left, frame_.drawn().bottom + 6}));
   }
 
   std::vector<std::string> told() const {
@@ -266,7 +240,7 @@ class MechanismDrawing {
   const NumberWords numbers_;
   const MechanismGeometry geometry_;
   PictureView view_;
-  LabelBox box_;
+  PictureFrame frame_;
   PictureLabels labels_;
   std::vector<std::string> described_;
 };
@@ -279,11 +253,6 @@ void expect_picture(const MechanismScene& scene) {
 }
 
 }  // namespace
-
-std::string view_box(const LabelBox& box) {
-  return fmt::format("{} {} {} {}", short_number(box.left), short_number(box.top), short_number(box.right - box.left),
-                     short_number(box.bottom - box.top));
-}
 
 bool has_picture(const Mechanism& mechanism) {
   return !mechanism.shapes.empty() || std::any_of(mechanism.contacts.begin(), mechanism.contacts.end(),
@@ -319,26 +288,15 @@ Element add_mechanism(const Element& parent, const MechanismScene& scene, const 
 
 std::string mechanism_svg_file(const MechanismScene& scene, const MotionAtLoad* motion) {
   expect_picture(scene);
-  const ElementTree document("svg");
-  const Element svg = document.root().set("xmlns", "http://www.w3.org/2000/svg").set("role", "img");
   const std::string modes = motion == nullptr ? std::string() : modes_text(*motion);
-  svg.add("title").text(scene.name + (modes.empty() ? "" : ": " + modes));
-  const Element description = svg.add("desc");
-  svg.add("style").code(picture_style());
-  const Element ground = svg.add("rect", "paper");
-  svg.set("font-family", "system-ui, 'DejaVu Sans', sans-serif");
-  const CommonLook alone;
-  MechanismDrawing drawing(svg, scene, motion, alone);
-  drawing.draw();
-  drawing.caption();
-  drawing.heading(scene.name, modes);
-  description.text(drawing.description());
-  const LabelBox box = drawing.box();
-  ground.set("x", box.left).set("y", box.top).set("width", box.right - box.left).set("height", box.bottom - box.top);
-  svg.set("viewBox", view_box(box))
-      .set("width", 1.6 * (box.right - box.left))
-      .set("height", 1.6 * (box.bottom - box.top));
-  return document.xml();
+  return picture_file(scene.name + (modes.empty() ? "" : ": " + modes), 1.6, [&](const Element& svg) {
+    const CommonLook alone;
+    MechanismDrawing drawing(svg, scene, motion, alone);
+    drawing.draw();
+    drawing.caption();
+    drawing.heading(scene.name, modes);
+    return DrawnPicture{drawing.description(), drawing.box()};
+  });
 }
 
 }  // namespace slipproof

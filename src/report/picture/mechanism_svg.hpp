@@ -8,7 +8,7 @@
 #include "mechanics/kernel/motion.hpp"
 #include "mechanics/scene/scene.hpp"
 #include "report/markup/element.hpp"
-#include "report/picture/labels/label_placer.hpp"
+#include "report/picture/frame/picture_frame.hpp"
 #include "report/picture/motion_words.hpp"
 
 namespace slipproof {
@@ -40,7 +40,6 @@ double picture_height(const MechanismScene& scene, double usual);
 /// `seen` becomes the box of its viewBox.
 Element add_mechanism(const Element& parent, const MechanismScene& scene, const MotionAtLoad* motion,
                       std::string_view title, const CommonLook& look = {}, LabelBox* seen = nullptr);
-std::string view_box(const LabelBox& box);
 
 /// The same as an SVG file of its own, with a title, and with a background for light and dark displays.
 std::string mechanism_svg_file(const MechanismScene& scene, const MotionAtLoad* motion);

@@ -65,6 +65,12 @@ std::string NumberWords::range(const Range& range) const {
   return (exact ? "in " : "in ≈ ") + ends;
 }
 
+std::string load_text(const MechanismScene& scene, const NumberWords& numbers) {
+  const std::string& unit = scene.mechanism.load->unit;
+  return plain_symbol(scene.mechanism.load->symbol) + " " + numbers.value(*scene.load) +
+         (unit.empty() || unit == "1" ? "" : " " + unit);
+}
+
 std::string counted_motions(const MotionsAtLoad& found) {
   const std::size_t continua = found.continua.size();
   if (continua == 0) return counted(found.motions.size(), "motion");
@@ -150,11 +156,7 @@ std::vector<std::string> told_of(const MechanismScene& scene, const MotionAtLoad
                                  const std::vector<bool>& drawn, const NumberWords& numbers) {
   const Mechanism& mechanism = scene.mechanism;
   std::vector<std::string> parts;
-  if (mechanism.load && scene.load) {
-    const std::string& unit = mechanism.load->unit;
-    parts.push_back(plain_symbol(mechanism.load->symbol) + " " + numbers.value(*scene.load) +
-                    (unit.empty() || unit == "1" ? "" : " " + unit));
-  }
+  if (mechanism.load && scene.load) parts.push_back(load_text(scene, numbers));
   for (std::size_t i = 0; i < mechanism.contacts.size(); ++i) {
     if (mechanism.contacts[i].at.empty()) parts.push_back(contact_text(scene, motion, i) + " (has no place)");
   }

@@ -30,6 +30,9 @@ class NumberWords {
   bool fractions_ = true;
 };
 
+/// `F = 3 N`: the load of a scene that has one.
+std::string load_text(const MechanismScene& scene, const NumberWords& numbers);
+
 /// `2 motions`; `1 continuum of motions, with 2 motions of other modes in it`; `1 motion, 2 continua of motions`.
 std::string counted_motions(const MotionsAtLoad& found);
 

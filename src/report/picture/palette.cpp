@@ -37,7 +37,7 @@ struct Ink {
 };
 
 /// The colours of everything else.
-constexpr std::array<Ink, 27> inks{{{"#1d2733", "#e8edf3", ".ink{{fill:{}}}"},
+constexpr std::array<Ink, 36> inks{{{"#1d2733", "#e8edf3", ".ink{{fill:{}}}"},
                                     {"#55606e", "#a9b4c1", ".soft{{fill:{}}}"},
                                     {"#1d2733", "#e8edf3", ".edge{{fill:none;stroke-width:1.6;stroke:{}}}"},
                                     {"#b3125f", "#ff8fc0", ".new{{fill:none;stroke-width:2.4;stroke:{}}}"},
@@ -60,18 +60,47 @@ constexpr std::array<Ink, 27> inks{{{"#1d2733", "#e8edf3", ".ink{{fill:{}}}"},
                                     {"#4a5563", "#c0cad6", ".load{{stroke-width:2;stroke:{0};fill:{0}}}"},
                                     {"#17663f", "#8fdcb0", ".moves{{stroke-width:2;stroke:{0};fill:{0}}}"},
                                     {"#0b5fa5", "#7cc0ff", ".acceleration{{stroke-width:1.4;stroke:{0};fill:{0}}}"},
+                                    {"#2a3644", "#c9d4e0", ".rim{{fill:none;stroke-width:1.1;stroke:{}}}"},
+                                    {"#2a3644", "#c9d4e0",
+                                     ".hidden{{fill:none;stroke-width:0.8;stroke-dasharray:1.5 3;stroke:{}}}"},
+                                    {"#6d5a3a", "#d8c39a", ".joint{{fill:none;stroke-width:1.6;stroke-dasharray:7 2 2 2;stroke:{}}}"},
+                                    {"#17663f", "#8fdcb0", ".velocity{{stroke-width:1.4;stroke:{0};fill:{0}}}"},
+                                    {"#efece4", "#1d232b", ".floor{{stroke:none;fill:{}}}"},
+                                    {"#1d2733", "#000000", ".shadow{{stroke:none;fill-opacity:0.22;fill:{}}}"},
+                                    {"#b34700", "#ffb27a", ".cone{{stroke-width:0.9;fill-opacity:0.12;stroke:{0};fill:{0}}}"},
+                                    {"#17663f", "#8fdcb0", ".slips{{stroke-width:1.4;stroke:{0};fill:{0}}}"},
+                                    {"#17663f", "#8fdcb0", ".arc{{stroke-width:0.7;fill-opacity:0.25;stroke:{0};fill:{0}}}"},
                                     {"#8b95a1", "#7d8896", ".fit-open{{fill:{}}}"},
                                     {"#0b5fa5", "#7cc0ff", ".fit-stick{{fill:{}}}"},
                                     {"#b34700", "#ffb27a", ".fit-slide{{fill:{}}}"},
                                     {"#4d3a80", "#d9ccff", ".fit-smooth{{fill:{}}}"}}};
 
+/// The faces of solids, from those in the dark to those in the light.
+constexpr std::array<Colour, 8> shades{{{"#8797a9", "#1e2833"},
+                                        {"#98a7b8", "#263240"},
+                                        {"#a8b6c5", "#2e3c4c"},
+                                        {"#b7c3d1", "#374759"},
+                                        {"#c5d0dc", "#405266"},
+                                        {"#d2dbe5", "#4a5d73"},
+                                        {"#dee5ed", "#546980"},
+                                        {"#e9eef4", "#5f768e"}}};
+
 }  // namespace
+
+std::string shade_class(double light) {
+  const auto index = static_cast<std::size_t>(std::clamp(light, 0.0, 0.999) * static_cast<double>(shades.size()));
+  return "shade" + std::to_string(index);
+}
 
 std::string picture_style() {
   std::string light, dark;
   for (std::size_t i = 0; i < mode_colours.size(); ++i) {
     light += fmt::format(".m{}{{fill:{}}}\n", i, mode_colours[i].light);
     dark += fmt::format(".m{}{{fill:{}}}\n", i, mode_colours[i].dark);
+  }
+  for (std::size_t i = 0; i < shades.size(); ++i) {
+    light += fmt::format(".shade{0}{{fill:{1};stroke:{1};stroke-width:0.6}}\n", i, shades[i].light);
+    dark += fmt::format(".shade{0}{{fill:{1};stroke:{1};stroke-width:0.6}}\n", i, shades[i].dark);
   }
   for (const Ink& ink : inks) {
     light += fmt::format(fmt::runtime(ink.rule), ink.light) + "\n";

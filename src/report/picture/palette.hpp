@@ -13,6 +13,9 @@ namespace slipproof {
 /// variables.
 std::string picture_style();
 
+/// The class of a face of a solid by its light, from 0 to 1.
+std::string shade_class(double light);
+
 /// Assigns colours to the modes of one picture. Up to sixteen modes all have different colours; the modes of two
 /// contacts have the same colours in every picture.
 class ModeColours {

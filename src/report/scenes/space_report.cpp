@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "base/number/format.hpp"
-#include "base/output/listed.hpp"
 #include "mechanics/mechanism/words.hpp"
+#include "report/picture/space/space_words.hpp"
 #include "report/scenes/mechanism_report.hpp"
 #include "report/values/exact_json.hpp"
 #include "report/values/mode_json.hpp"
@@ -13,10 +13,6 @@
 namespace slipproof {
 
 namespace {
-
-std::string mode_of(const SpaceMotion& motion) {
-  return motion.modes.empty() ? "free" : listed(motion.modes, "/");
-}
 
 class SpaceText {
  public:

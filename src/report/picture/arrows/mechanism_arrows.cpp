@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/number/binary64.hpp"
+#include "report/picture/scene_numbers.hpp"
 
 namespace slipproof {
 

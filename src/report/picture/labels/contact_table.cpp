@@ -1,7 +1,6 @@
 #include "report/picture/labels/contact_table.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "base/input/utf8.hpp"
 
@@ -10,8 +9,6 @@ namespace slipproof {
 namespace {
 
 constexpr double table_row = 16, table_letter = 7.4, column_gap = 12, table_text = 12;
-
-using Row = std::array<std::string, 4>;
 
 std::string force_text(const MechanismScene& scene, const MotionAtLoad& motion, std::size_t unknown,
                        const NumberWords& numbers) {
@@ -27,18 +24,22 @@ std::string contact_letter(std::size_t index) {
 
 LabelBox add_contact_table(const Element& svg, const MechanismScene& scene, const MotionAtLoad* motion,
                            const std::vector<std::size_t>& contacts, const NumberWords& numbers, Point corner) {
-  std::vector<Row> rows;
+  std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const MechanismContact& contact = scene.mechanism.contacts[contacts[i]];
-    Row row{contact_letter(i), contact_text(scene, motion, contacts[i])};
+    std::vector<std::string> row{contact_letter(i), contact_text(scene, motion, contacts[i]), "", ""};
     if (motion != nullptr) {
       row[2] = "N " + force_text(scene, *motion, contact.normal, numbers);
       if (contact.tangent) row[3] = "S " + force_text(scene, *motion, *contact.tangent, numbers);
     }
     rows.push_back(std::move(row));
   }
+  return add_text_table(svg, rows, corner);
+}
+
+LabelBox add_text_table(const Element& svg, const std::vector<std::vector<std::string>>& rows, Point corner) {
   double x = corner[0];
-  for (std::size_t column = 0; column < Row().size(); ++column) {
+  for (std::size_t column = 0; !rows.empty() && column < rows.front().size(); ++column) {
     std::size_t widest = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const std::string& words = rows[i][column];

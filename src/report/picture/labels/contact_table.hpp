@@ -22,7 +22,10 @@ std::string contact_letter(std::size_t index);
 LabelBox add_contact_table(const Element& svg, const MechanismScene& scene, const MotionAtLoad* motion,
                            const std::vector<std::size_t>& contacts, const NumberWords& numbers, Point corner);
 
-/// How high that table is.
+/// Adds rows of equally many texts, the first of each in the colour of names; returns where they are.
+LabelBox add_text_table(const Element& svg, const std::vector<std::vector<std::string>>& rows, Point corner);
+
+/// How high a table of so many rows is.
 double contact_table_height(std::size_t contacts);
 
 }  // namespace slipproof

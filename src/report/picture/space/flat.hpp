@@ -1,0 +1,16 @@
+// Convex polygons in a plane.
+#pragma once
+
+#include <vector>
+
+#include "report/picture/drawing.hpp"
+
+namespace slipproof {
+
+/// The convex hull, counterclockwise with y up (Andrew's monotone chain).
+std::vector<Point> hull_of(std::vector<Point> points);
+
+/// The part of a convex polygon that is inside another, whose corners are counterclockwise (Sutherland and Hodgman).
+std::vector<Point> clipped(std::vector<Point> polygon, const std::vector<Point>& inside);
+
+}  // namespace slipproof

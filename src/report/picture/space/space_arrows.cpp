@@ -1,0 +1,266 @@
+#include "report/picture/space/space_arrows.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "report/picture/labels/contact_table.hpp"
+#include "report/picture/polyline.hpp"
+#include "report/picture/space/flat.hpp"
+#include "report/picture/space/scenery.hpp"
+
+namespace slipproof {
+
+namespace {
+
+// In pixels, of what is not foreshortened.
+constexpr double longest_push = 78, plain_push = 36, longest_way = 46, slip_reach = 30, turn_radius = 17;
+constexpr double nothing = 1e-7;  ///< of the largest
+
+const std::optional<Range>& force_of(const MechanismScene& scene, const SpaceMotion& motion, std::size_t unknown) {
+  return motion.forces[unknown - scene.mechanism.accelerations];
+}
+
+/// The force on the body; nothing where a part of it is open.
+std::optional<Vec3> force_at(const MechanismScene& scene, const SpaceMotion& motion,
+                             const SpaceGeometry::Contact& contact) {
+  const MechanismContact& c = scene.mechanism.contacts[contact.index];
+  Vec3 force{};
+  const auto add = [&](std::size_t unknown, const Vec3& along) {
+    const auto& range = force_of(scene, motion, unknown);
+    if (range) force = force + range_middle(*range) * along;
+    return range.has_value();
+  };
+  bool known = add(c.normal, contact.normal);
+  if (c.tangent) known = add(*c.tangent, contact.first) && known;
+  if (c.second) known = add(c.second->force, contact.second) && known;
+  return known ? std::optional(force) : std::nullopt;
+}
+
+/// Its acceleration, and its angular acceleration.
+std::pair<Vec3, Vec3> accelerations(const SpaceGeometry::MovingBody& body, const SpaceMotion& motion) {
+  std::array<double, 6> all = body.prescribed;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const auto [unknown, sign] = body.unknowns[i];
+    if (sign != 0) all[i] = sign * range_middle(motion.accelerations[unknown]);
+  }
+  return {{all[0], all[1], all[2]}, {all[3], all[4], all[5]}};
+}
+
+Point halfway_to(Point from, Point to) {
+  return {(from[0] + to[0]) / 2, (from[1] + to[1]) / 2};
+}
+
+}  // namespace
+
+void SpaceSizes::see(const SpaceGeometry& geometry) {
+  for (const auto& push : geometry.pushes) force = std::max(force, push.couple ? 0 : length(push.is));
+  for (const auto& weight : geometry.weights) force = std::max(force, length(weight.is));
+  for (const auto& body : geometry.bodies) {
+    speed = std::max(speed, length(body.velocity));
+    spin = std::max(spin, length(body.spin));
+  }
+}
+
+void SpaceSizes::see(const MechanismScene& scene, const SpaceGeometry& geometry, const SpaceMotion& motion) {
+  for (const auto& contact : geometry.contacts)
+    force = std::max(force, length(force_at(scene, motion, contact).value_or(Vec3{})));
+  for (const auto& body : geometry.bodies) {
+    const auto [straight, turning_now] = accelerations(body, motion);
+    acceleration = std::max(acceleration, length(straight));
+    turning = std::max(turning, length(turning_now));
+  }
+}
+
+SpaceArrows::SpaceArrows(const Element& svg, const Input& input, PictureLabels& labels)
+    : svg_(svg), in_(input), labels_(labels) {
+  if (in_.sizes.force > 0) force_unit_ = longest_push / in_.view.scale() / in_.sizes.force;
+}
+
+void SpaceArrows::draw() {
+  for (std::size_t i = 0; i < in_.geometry.contacts.size(); ++i) contact(i);
+  for (const auto& push : in_.geometry.pushes) this->push(push);
+  for (const auto& weight : in_.geometry.weights) this->weight(weight);
+  for (const auto& body : in_.geometry.bodies) this->body(body);
+}
+
+Point SpaceArrows::see(const Vec3& p) {
+  ends_.push_back(in_.view.pixel(p));
+  return ends_.back();
+}
+
+void SpaceArrows::arrow(const Vec3& from, const Vec3& to, std::string_view css, ArrowLine line) {
+  const Point start = see(from), end = see(to);
+  add_arrow(svg_, start, end[0] - start[0], end[1] - start[1], css, line);
+  labels_.avoid(start, end, 4);
+}
+
+void SpaceArrows::contact(std::size_t number) {
+  const SpaceGeometry::Contact& contact = in_.geometry.contacts[number];
+  const Point at = see(contact.at);
+  const bool lifts = in_.motion != nullptr && in_.motion->modes[contact.index] == "lift";
+  in_.motion == nullptr ? contact_directions(contact) : contact_force(contact);
+  if (in_.motion != nullptr && in_.motion->slips[contact.index]) slip(contact, *in_.motion->slips[contact.index]);
+  svg_.add("circle", lifts ? "contact paper frame" : "contact ink").set("cx", at[0]).set("cy", at[1]).set("r", 3);
+  labels_.avoid(LabelBox{at[0] - 4, at[1] - 4, at[0] + 4, at[1] + 4});
+  const std::string words = contact_text(in_.scene, in_.motion, contact.index);
+  labels_.words({at}, in_.lettered ? contact_letter(contact.index) : words);
+  described_.push_back(words);
+}
+
+/// From the contact, into its cone: the circle is as high as N, and mu times as wide.
+void SpaceArrows::contact_force(const SpaceGeometry::Contact& contact) {
+  const MechanismContact& c = in_.scene.mechanism.contacts[contact.index];
+  const auto force = force_at(in_.scene, *in_.motion, contact);
+  if (!force || length(*force) <= nothing * in_.sizes.force) return;
+  const auto narrow = [&](std::size_t unknown) {
+    return in_.numbers.is_narrow(*force_of(in_.scene, *in_.motion, unknown));
+  };
+  const bool determined =
+      narrow(c.normal) && (!c.tangent || narrow(*c.tangent)) && (!c.second || narrow(c.second->force));
+  if (contact.mu > 0) cone(contact, force_unit_ * dot(*force, contact.normal));
+  arrow(contact.at, contact.at + force_unit_ * *force, "friction",
+        determined ? ArrowLine::solid : ArrowLine::dashed);
+  signs_.insert(determined ? SpaceSign::force : SpaceSign::open_force);
+}
+
+void SpaceArrows::contact_directions(const SpaceGeometry::Contact& contact) {
+  const MechanismContact& c = in_.scene.mechanism.contacts[contact.index];
+  const double reach = plain_push / in_.view.scale();
+  const auto direction = [&](std::size_t unknown, const Vec3& along, std::string_view css) {
+    const Vec3 end = contact.at + reach * along;
+    arrow(contact.at, end, css);
+    if (in_.lettered) return;
+    const Point tip = in_.view.pixel(end);
+    labels_.symbol({tip, halfway_to(in_.view.pixel(contact.at), tip)}, in_.scene.mechanism.unknowns[unknown].symbol, {});
+  };
+  direction(c.normal, contact.normal, "normal");
+  if (c.tangent) direction(*c.tangent, contact.first, "friction");
+  if (c.second) direction(c.second->force, contact.second, "friction");
+}
+
+void SpaceArrows::cone(const SpaceGeometry::Contact& contact, double height) {
+  constexpr int sides = 32;
+  std::vector<Vec3> circle;
+  std::vector<Point> outline{in_.view.pixel(contact.at)};
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 2 * std::numbers::pi * i / sides, radius = contact.mu * height;
+    circle.push_back(contact.at + height * contact.normal + radius * std::cos(angle) * contact.first +
+                     radius * std::sin(angle) * contact.second);
+    outline.push_back(see(circle.back()));
+  }
+  std::vector<Pixel> hull;
+  for (const Point& p : hull_of(outline)) hull.push_back({p[0], p[1]});
+  if (hull.size() < 3) return;
+  svg_.add("path", "cone").set("d", closed_path_of(hull));
+  svg_.add("path", "cone").set("d", path_through(circle, in_.view));
+  signs_.insert(SpaceSign::cone);
+}
+
+/// In the plane of the contact: the direction, and all that its enclosure holds.
+void SpaceArrows::slip(const SpaceGeometry::Contact& contact, const Range& degrees) {
+  constexpr double to_radians = std::numbers::pi / 180, seen = 1;
+  const double reach = slip_reach / in_.view.scale();
+  const auto at = [&](double angle) {
+    return contact.at + reach * std::cos(angle * to_radians) * contact.first +
+           reach * std::sin(angle * to_radians) * contact.second;
+  };
+  const double middle = range_middle(degrees), width = range_middle({degrees.upper, degrees.upper}) -
+                                                    range_middle({degrees.lower, degrees.lower});
+  if (width > seen) {
+    std::vector<Vec3> sector{contact.at};
+    constexpr int steps = 24;
+    for (int i = 0; i <= steps; ++i) sector.push_back(at(middle - width / 2 + i * width / steps));
+    for (const Vec3& p : sector) see(p);
+    svg_.add("path", "arc").set("d", path_through(sector, in_.view));
+  }
+  const bool slides = in_.scene.values.starts[contact.index] != ElementKind::Start::rest;
+  arrow(contact.at, at(middle), "slips", slides ? ArrowLine::solid : ArrowLine::dotted);
+  signs_.insert(slides ? SpaceSign::sliding : SpaceSign::slip);
+  described_.push_back(in_.scene.mechanism.contacts[contact.index].name + " slips at " + angle_text(degrees));
+}
+
+void SpaceArrows::push(const SpaceGeometry::Push& push) {
+  const bool plain = in_.motion == nullptr;
+  described_.push_back("pushed by " + push.name);
+  signs_.insert(SpaceSign::load);
+  const std::string words = push.name + (push.value.empty() ? "" : " " + push.value);
+  const bool is_name = push.name.find_first_of("*+-/( ") == push.name.npos;
+  if (push.couple)
+    return turn(push.at, push.is, turn_radius + 5, "load", false, is_name ? push.value : words,
+                is_name ? push.name : "");
+  const Vec3 way = (plain ? plain_push / in_.view.scale() : force_unit_ * length(push.is)) * direction_of(push.is);
+  arrow(push.at - way, push.at, "load");
+  const Point start = in_.view.pixel(push.at - way), end = in_.view.pixel(push.at);
+  is_name ? labels_.symbol({start, halfway_to(start, end)}, push.name, push.value)
+          : labels_.symbol({start, halfway_to(start, end)}, {}, words);
+}
+
+void SpaceArrows::weight(const SpaceGeometry::Weight& weight) {
+  const bool plain = in_.motion == nullptr;
+  const double reach = plain ? plain_push / in_.view.scale() : force_unit_ * length(weight.is);
+  const Vec3 end = weight.at + reach * direction_of(weight.is);
+  arrow(weight.at, end, "load weight");
+  const std::string words = "weight " + rounded_value(length(weight.is));
+  const Point tip = in_.view.pixel(end);
+  if (named() && !in_.lettered) labels_.words({tip, halfway_to(in_.view.pixel(weight.at), tip)}, words);
+  described_.push_back(words + " of " + weight.body);
+  signs_.insert(SpaceSign::load);
+}
+
+void SpaceArrows::body(const SpaceGeometry::MovingBody& body) {
+  straight(body.at, body.velocity, true, body.name, in_.sizes.speed);
+  const auto turning = [&](const Vec3& axis, bool before, double largest) {
+    if (length(axis) <= nothing * largest || largest == 0) return;
+    const std::string words = (before ? "spin " : "turning ") + rounded_value(length(axis));
+    turn(body.at, axis, before ? turn_radius : turn_radius + 8, before ? "velocity" : "acceleration", !before,
+         named() ? words : "");
+    signs_.insert(before ? SpaceSign::velocity : SpaceSign::acceleration);
+    described_.push_back(body.name + ": " + words);
+  };
+  turning(body.spin, true, in_.sizes.spin);
+  if (in_.motion == nullptr) return;
+  const auto [acceleration, angular] = accelerations(body, *in_.motion);
+  straight(body.at, acceleration, false, body.name, in_.sizes.acceleration);
+  turning(angular, false, in_.sizes.turning);
+}
+
+void SpaceArrows::straight(const Vec3& at, const Vec3& way, bool before, const std::string& name, double size) {
+  if (size == 0 || length(way) <= nothing * size) return;
+  const Vec3 end = at + (longest_way / in_.view.scale() / size) * way;
+  const Point from = see(at), to = see(end);
+  before ? add_velocity_arrow(svg_, from, to) : add_acceleration_arrow(svg_, from, to);
+  labels_.avoid(from, to, 4);
+  const std::string words = (before ? "v " : "a ") + rounded_value(length(way));
+  if (named()) labels_.words({to, halfway_to(from, to)}, words);
+  signs_.insert(before ? SpaceSign::velocity : SpaceSign::acceleration);
+  described_.push_back(name + ": " + words);
+}
+
+void SpaceArrows::turn(const Vec3& at, const Vec3& axis, double radius, std::string_view css, bool dotted,
+                       const std::string& words, const std::string& symbol) {
+  constexpr int steps = 24;
+  const AcrossDirections across(direction_of(axis));
+  const double reach = radius / in_.view.scale();
+  std::vector<Pixel> arc;
+  std::vector<Point> near;
+  for (int i = 0; i <= steps; ++i) {
+    const double angle = 1.5 * std::numbers::pi * i / steps;
+    const Point p = see(at + reach * std::cos(angle) * across.first + reach * std::sin(angle) * across.second);
+    if (i > 0) labels_.avoid({arc.back().x, arc.back().y}, p, 3);
+    arc.push_back({p[0], p[1]});
+    if (i % 6 == 0) near.push_back(p);
+  }
+  const Element path = svg_.add("path", css).set("style", "fill:none").set("d", path_of(arc));
+  if (dotted) path.set("stroke-dasharray", "1.5 2.5");
+  const Pixel before = arc[arc.size() - 2], end = arc.back();
+  const double dx = end.x - before.x, dy = end.y - before.y, step = std::max(std::hypot(dx, dy), 0.1);
+  add_arrow(svg_, {end.x, end.y}, 8 * dx / step, 8 * dy / step, css);
+  ends_.push_back({end.x + 8 * dx / step, end.y + 8 * dy / step});
+  if (symbol.empty()) return labels_.words(near, words);
+  labels_.symbol(near, symbol, words);
+}
+
+}  // namespace slipproof

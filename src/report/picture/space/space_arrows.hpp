@@ -1,0 +1,72 @@
+// The arrows in the picture of a scene in space: forces of contacts in their cones, slips, pushes, weights, velocities and
+// accelerations.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "report/markup/element.hpp"
+#include "report/picture/labels/picture_labels.hpp"
+#include "report/picture/space/space_geometry.hpp"
+#include "report/picture/space/space_legend.hpp"
+#include "report/picture/space/space_view.hpp"
+#include "report/picture/space/space_words.hpp"
+
+namespace slipproof {
+
+/// The largest of each kind has the longest arrow.
+struct SpaceSizes {
+  double force = 0, speed = 0, spin = 0, acceleration = 0, turning = 0;
+
+  /// Of a scene, and of each motion.
+  void see(const SpaceGeometry& geometry);
+  void see(const MechanismScene& scene, const SpaceGeometry& geometry, const SpaceMotion& motion);
+};
+
+class SpaceArrows {
+ public:
+  struct Input {
+    const MechanismScene& scene;
+    const SpaceMotion* motion;  ///< none: all forces are as long, in their positive directions
+    const SpaceGeometry& geometry;
+    const SpaceNumbers& numbers;
+    const SpaceView& view;
+    SpaceSizes sizes;
+    bool lettered = false;  ///< contacts have letters
+  };
+  SpaceArrows(const Element& svg, const Input& input, PictureLabels& labels);
+
+  void draw();
+
+  const std::vector<Point>& ends() const { return ends_; }
+  const std::vector<std::string>& described() const { return described_; }
+  const std::set<SpaceSign>& signs() const { return signs_; }
+
+ private:
+  void contact(std::size_t number);
+  void contact_force(const SpaceGeometry::Contact& contact);
+  void contact_directions(const SpaceGeometry::Contact& contact);
+  void cone(const SpaceGeometry::Contact& contact, double height);
+  void slip(const SpaceGeometry::Contact& contact, const Range& degrees);
+  void push(const SpaceGeometry::Push& push);
+  void weight(const SpaceGeometry::Weight& weight);
+  void body(const SpaceGeometry::MovingBody& body);
+  void straight(const Vec3& at, const Vec3& way, bool before, const std::string& name, double size);
+  /// Part of a circle around an axis, with an arrow at its end.
+  void turn(const Vec3& at, const Vec3& axis, double radius, std::string_view css, bool dotted,
+            const std::string& words, const std::string& symbol = {});
+  Point see(const Vec3& p);
+  void arrow(const Vec3& from, const Vec3& to, std::string_view css, ArrowLine line = ArrowLine::solid);
+  bool named() const { return in_.geometry.bodies.size() <= 3; }
+
+  const Element svg_;
+  const Input in_;
+  PictureLabels& labels_;
+  double force_unit_ = 0;  ///< length in the scene of a force of 1
+  std::vector<Point> ends_;
+  std::vector<std::string> described_;
+  std::set<SpaceSign> signs_;
+};
+
+}  // namespace slipproof

@@ -1,0 +1,187 @@
+#include "report/picture/space/space_svg.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "base/input/diagnostic.hpp"
+#include "base/number/format.hpp"
+#include "report/markup/symbol.hpp"
+#include "report/picture/frame/panels.hpp"
+#include "report/picture/labels/contact_table.hpp"
+#include "report/picture/space/scenery.hpp"
+#include "report/picture/space/space_arrows.hpp"
+
+namespace slipproof {
+
+namespace {
+
+constexpr double space_width = 330, space_height = 270, axes_room = 62, axes_length = 17;
+
+/// What pictures of several motions share.
+class SpacePicture {
+ public:
+  SpacePicture(const MechanismScene& scene, const std::vector<SpaceMotion>& motions, const Vec3& from)
+      : scene_(scene),
+        geometry_(space_geometry(scene)),
+        numbers_(scene, motions),
+        view_(from, geometry_.up),
+        scenery_(geometry_, from) {
+    const std::vector<Vec3> corners = scenery_.corners();
+    if (corners.empty()) {
+      throw InputError({{scene.mechanism.file, 0, 0,
+                         "the mechanism " + scene.mechanism.name +
+                             " has no picture, expected a body with a shape, or a contact that has a place"}});
+    }
+    sizes_.see(geometry_);
+    for (const SpaceMotion& motion : motions) sizes_.see(scene, geometry_, motion);
+    fit(corners);
+  }
+
+  const SpaceNumbers& numbers() const { return numbers_; }
+  const std::set<SpaceSign>& signs() const { return signs_; }
+
+  /// Scenery, arrows, labels, axes and the table of contacts; returns what they are in words.
+  std::vector<std::string> draw(const Element& svg, const SpaceMotion* motion, PictureFrame& frame) {
+    PictureLabels labels;
+    labels.keep_between(-PictureFrame::widest / 2, PictureFrame::widest / 2);
+    frame.begin(box_);
+    scenery_.draw(svg, view_, labels);
+    const bool lettered = scene_.mechanism.contacts.size() >= fewest_lettered;
+    SpaceArrows arrows(svg, {scene_, motion, geometry_, numbers_, view_, sizes_, lettered}, labels);
+    arrows.draw();
+    for (const Point& end : arrows.ends()) frame.see(end);
+    signs_.insert(arrows.signs().begin(), arrows.signs().end());
+    if (scenery_.has_shadows()) signs_.insert(SpaceSign::shadow);
+    name_parts(labels);
+    for (const LabelBox& box : labels.draw(svg)) frame.see(box);
+    below(svg, motion, frame, lettered);
+    return arrows.described();
+  }
+
+ private:
+  void fit(const std::vector<Vec3>& corners) {
+    LabelBox all{1e300, 1e300, -1e300, -1e300};
+    for (const Vec3& corner : corners) {
+      const Point p = view_.flat(corner);
+      all = all.around({p[0], p[1], p[0], p[1]});
+    }
+    const double across = all.right - all.left, up = all.bottom - all.top;
+    double scale = 1;
+    if (across > 0 || up > 0)
+      scale = std::min(across > 0 ? space_width / across : space_height / up,
+                       up > 0 ? space_height / up : space_width / across);
+    view_.fit({(all.left + all.right) / 2, (all.top + all.bottom) / 2}, scale);
+    box_ = {-scale * across / 2, -scale * up / 2, scale * across / 2, scale * up / 2};
+  }
+
+  /// Bodies where there are several, and joints, unless there are many.
+  void name_parts(PictureLabels& labels) const {
+    constexpr std::size_t most = 6;
+    if (geometry_.bodies.size() > 1 && geometry_.bodies.size() <= most) {
+      for (const auto& body : geometry_.bodies) labels.words({view_.pixel(body.at)}, body.name);
+    }
+    if (geometry_.joints.size() > most) return;
+    for (const auto& joint : geometry_.joints) labels.words({view_.pixel(joint.at)}, joint.name);
+  }
+
+  /// The axes of the scene, and beside them the table.
+  void below(const Element& svg, const SpaceMotion* motion, PictureFrame& frame, bool lettered) const {
+    const double left = frame.drawn().left, top = frame.drawn().bottom + 6;
+    axes(svg, {left + axes_room / 2 - 4, top + axes_room / 2});
+    if (motion != nullptr)
+      frame.see(add_text_table(svg, contact_rows(scene_, *motion, numbers_, lettered), {left + axes_room, top + 4}));
+    frame.see(LabelBox{left, top, left + axes_room, top + axes_room});
+  }
+  void axes(const Element& svg, Point at) const {
+    const Element group = svg.add("g", "axes");
+    constexpr std::array<const char*, 3> names{"x", "y", "z"};
+    const Point origin = view_.pixel({0, 0, 0});
+    for (std::size_t i = 0; i < 3; ++i) {
+      Vec3 axis{};
+      axis[i] = axes_length / view_.scale();
+      const Point end = view_.pixel(axis);
+      const double dx = end[0] - origin[0], dy = end[1] - origin[1], size = std::hypot(dx, dy);
+      if (size < 3) continue;
+      group.add("line", "frame").set("x1", at[0]).set("y1", at[1]).set("x2", at[0] + dx).set("y2", at[1] + dy);
+      const double away = (size + 7) / size;
+      group.add("text", "soft").set("x", at[0] + away * dx - 3).set("y", at[1] + away * dy + 4).set("font-size", 11)
+          .text(names[i]);
+    }
+  }
+
+  const MechanismScene& scene_;
+  const SpaceGeometry geometry_;
+  const SpaceNumbers numbers_;
+  SpaceView view_;
+  const Scenery scenery_;
+  SpaceSizes sizes_;
+  LabelBox box_;
+  std::set<SpaceSign> signs_;
+};
+
+std::string single_file(const MechanismScene& scene, const SpaceMotion* motion, const Vec3& from) {
+  const std::vector<SpaceMotion> shown = motion == nullptr ? std::vector<SpaceMotion>{} : std::vector{*motion};
+  SpacePicture picture(scene, shown, from);
+  const std::string mode = motion == nullptr ? "" : heading_of(*motion);
+  return picture_file(scene.name + (mode.empty() ? "" : ": " + mode), 1.6, [&](const Element& svg) {
+    PictureFrame frame(svg);
+    const std::vector<std::string> described = picture.draw(svg, motion, frame);
+    std::vector<std::string> pieces;
+    if (scene.mechanism.load && scene.load) pieces.push_back(load_text(scene, picture.numbers().words()));
+    if (motion == nullptr) pieces.emplace_back("arrows show positive directions, not to scale");
+    if (motion != nullptr && !kind_of(*motion).empty()) pieces.push_back(kind_of(*motion));
+    frame.caption(pieces);
+    const LabelBox drawn = frame.drawn();
+    const double height =
+        add_space_legend(svg, picture.signs(), {drawn.left, drawn.bottom + 8}, PictureFrame::widest - 20);
+    frame.see(LabelBox{drawn.left, drawn.top, std::max(drawn.right, drawn.left + PictureFrame::widest - 20),
+                       drawn.bottom + 8 + height});
+    frame.heading(scene.name, mode);
+    return DrawnPicture{fmt::format("{}.", fmt::join(described, "; ")), frame.box()};
+  });
+}
+
+/// `F = 3 N, 2 motions, and it is proved that there is no other`.
+std::string counted_in_space(const SolvedSpace& solved, const SpaceNumbers& numbers) {
+  std::string text;
+  if (solved.scene.mechanism.load && solved.scene.load) text = load_text(solved.scene, numbers.words()) + ", ";
+  text += solved.motions.empty() ? "no motion" : counted(solved.motions.size(), "motion");
+  return text + (solved.complete() ? "" : ", and there may be others");
+}
+
+}  // namespace
+
+std::string space_svg_file(const MechanismScene& scene, const Vec3& from) {
+  return single_file(scene, nullptr, from);
+}
+
+std::string space_svg_file(const SolvedSpace& solved, std::size_t motion, const Vec3& from) {
+  return single_file(solved.scene, &solved.motions[motion], from);
+}
+
+std::string space_motions_svg_file(const SolvedSpace& solved, const Vec3& from) {
+  SpacePicture picture(solved.scene, solved.motions, from);
+  PanelSheet sheet{solved.scene.name, counted_in_space(solved, picture.numbers()), {}, 430};
+  for (std::size_t i = 0; i < std::max<std::size_t>(solved.motions.size(), 1); ++i) {
+    const SpaceMotion* const motion = i < solved.motions.size() ? &solved.motions[i] : nullptr;
+    const std::string heading = motion == nullptr ? "" : fmt::format("{}: {}", i + 1, heading_of(*motion));
+    sheet.panels.push_back(
+        {heading, motion == nullptr ? "" : kind_of(*motion), [&, motion, heading](const Element& parent, LabelBox& seen) {
+           const Element svg = parent.add("svg", "mechanism").set("role", "img");
+           svg.add("title").text(motion == nullptr ? "no motion" : heading);
+           const Element description = svg.add("desc");
+           PictureFrame frame(svg);
+           description.text(fmt::format("{}.", fmt::join(picture.draw(svg, motion, frame), "; ")));
+           seen = frame.box();
+           return svg;
+         }});
+  }
+  sheet.legend = [&](const Element& svg, Point corner, double width) {
+    return add_space_legend(svg, picture.signs(), corner, width);
+  };
+  return panels_svg_file(sheet);
+}
+
+}  // namespace slipproof

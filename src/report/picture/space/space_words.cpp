@@ -1,0 +1,127 @@
+#include "report/picture/space/space_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/number/binary64.hpp"
+#include "base/number/format.hpp"
+#include "base/output/listed.hpp"
+#include "report/picture/labels/contact_table.hpp"
+
+namespace slipproof {
+
+namespace {
+
+constexpr double narrow_share = 1e-5;
+
+std::vector<Range> numbers_of(const MechanismScene& scene, const std::vector<SpaceMotion>& motions) {
+  std::vector<Range> all;
+  for (const SpaceMotion& motion : motions) {
+    for (const auto& force : motion.forces) {
+      if (force) all.push_back(*force);
+    }
+  }
+  if (scene.mechanism.load && scene.load) all.push_back({scene.load, scene.load});
+  return all;
+}
+
+}  // namespace
+
+std::string mode_of(const SpaceMotion& motion) {
+  return motion.modes.empty() ? "free" : listed(motion.modes, "/");
+}
+
+std::string heading_of(const SpaceMotion& motion) {
+  constexpr std::size_t longest = 34;
+  std::string text = mode_of(motion);
+  if (text.size() > longest) {
+    std::vector<std::string> words;
+    for (const char* mode : {"stick", "slip", "touch", "lift"}) {
+      const auto count = std::ranges::count(motion.modes, mode);
+      if (count > 0) words.push_back(fmt::format("{} {}", count, mode));
+    }
+    text = listed(words);
+  }
+  return text + (motion.strict ? "" : " (boundary)");
+}
+
+std::string kind_of(const SpaceMotion& motion) {
+  std::vector<std::string> words;
+  if (motion.others_within) {
+    words.emplace_back("others may be near");
+  } else if (!motion.unique) {
+    words.emplace_back("one of a continuum");
+  }
+  if (motion.open_directions > 0)
+    words.push_back("forces open along " + counted(motion.open_directions, "direction"));
+  return listed(words);
+}
+
+std::string angle_text(const Range& degrees) {
+  const auto one = [](double angle) {
+    std::string text = fmt::format("{:.1f}°", angle);
+    if (text == "-0.0°") text.erase(0, 1);
+    if (text[0] == '-') text.replace(0, 1, "−");
+    return text;
+  };
+  const double low = nearest_binary64(*degrees.lower), high = nearest_binary64(*degrees.upper);
+  return high - low < 0.05 ? one((low + high) / 2) : "[" + one(low) + ", " + one(high) + "]";
+}
+
+double range_middle(const Range& range) {
+  return nearest_binary64(*shown_value(range));
+}
+
+SpaceNumbers::SpaceNumbers(const MechanismScene& scene, const std::vector<SpaceMotion>& motions)
+    : words_(numbers_of(scene, motions)) {
+  for (const Range& range : numbers_of(scene, motions)) scale_ = std::max(scale_, std::abs(range_middle(range)));
+}
+
+bool SpaceNumbers::is_narrow(const Range& range) const {
+  if (range.is_point()) return true;
+  if (!range.lower || !range.upper) return false;
+  return nearest_binary64(Rational(*range.upper - *range.lower)) <= narrow_share * scale_;
+}
+
+std::string SpaceNumbers::text(const std::optional<Range>& range) const {
+  if (!range) return "open";
+  if (range->is_point() || !is_narrow(*range)) return words_.range(*range);
+  if (std::abs(range_middle(*range)) <= narrow_share * scale_) return "≈ 0";
+  const std::string text = words_.value(*shown_value(*range));
+  return "≈ " + text.substr(text.find(' ') + 1);
+}
+
+std::string SpaceNumbers::bare(const std::optional<Range>& range) const {
+  std::string whole = text(range);
+  for (const std::string_view sign : {"= ", "≈ ", "in "}) {
+    if (whole.starts_with(sign)) whole.erase(0, sign.size());
+  }
+  return whole;
+}
+
+std::vector<std::vector<std::string>> contact_rows(const MechanismScene& scene, const SpaceMotion& motion,
+                                                   const SpaceNumbers& numbers, bool lettered) {
+  const Mechanism& m = scene.mechanism;
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t i = 0; i < m.contacts.size(); ++i) {
+    const MechanismContact& c = m.contacts[i];
+    const auto force = [&](std::size_t unknown) { return motion.forces[unknown - m.accelerations]; };
+    std::string state = motion.modes[i];
+    if (motion.slips[i]) state += " at " + angle_text(*motion.slips[i]);
+    std::vector<std::string> row{lettered ? contact_letter(i) + "  " + c.name : c.name, state, {}, {}};
+    if (motion.modes[i] != "lift") {
+      row[2] = "N " + numbers.text(force(c.normal));
+      if (c.second) row[3] = "T (" + numbers.bare(force(*c.tangent)) + ", " + numbers.bare(force(c.second->force)) + ")";
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::string contact_text(const MechanismScene& scene, const SpaceMotion* motion, std::size_t contact) {
+  return scene.mechanism.contacts[contact].name + (motion == nullptr ? "" : ": " + motion->modes[contact]);
+}
+
+}  // namespace slipproof
