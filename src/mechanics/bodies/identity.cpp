@@ -34,4 +34,17 @@ std::optional<Expression> root_of_square(const Mechanism& mechanism, const Expre
   return std::nullopt;
 }
 
+Expression in_lowest_terms(const Mechanism& mechanism, const Expression& expression) {
+  if (expression->operands.empty()) return expression;
+  try {
+    Quotients quotients(mechanism);
+    const Quotient value = quotients.of(expression);
+    if (!value.under.is_zero()) return quotients.expression(value);
+  } catch (const NoQuotient&) {
+  } catch (const Budget::Spent&) {
+  } catch (const ExpressionError&) {  // too long for people
+  }
+  return expression;
+}
+
 }  // namespace slipproof::bodies_in_motion
