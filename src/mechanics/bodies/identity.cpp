@@ -7,6 +7,17 @@
 
 namespace slipproof::bodies_in_motion {
 
+namespace {
+
+/// The number of literals, symbols and operations.
+std::size_t size(const Expression& expression) {
+  std::size_t sum = 1;
+  for (const Expression& operand : expression->operands) sum += size(operand);
+  return sum;
+}
+
+}  // namespace
+
 bool vanishes_identically(const Mechanism& mechanism, const Expression& expression) {
   if (is_literal_zero(expression)) return true;
   try {
@@ -34,12 +45,14 @@ std::optional<Expression> root_of_square(const Mechanism& mechanism, const Expre
   return std::nullopt;
 }
 
-Expression in_lowest_terms(const Mechanism& mechanism, const Expression& expression) {
+Expression shortened(const Mechanism& mechanism, const Expression& expression) {
   if (expression->operands.empty()) return expression;
   try {
     Quotients quotients(mechanism);
     const Quotient value = quotients.of(expression);
-    if (!value.under.is_zero()) return quotients.expression(value);
+    if (value.under.is_zero()) return expression;
+    const Expression shorter = quotients.expression(value);
+    if (size(shorter) < size(expression)) return shorter;
   } catch (const NoQuotient&) {
   } catch (const Budget::Spent&) {
   } catch (const ExpressionError&) {  // too long for people

@@ -33,6 +33,21 @@ std::optional<MultiPolynomial> square_root(const MultiPolynomial& p) {
   return result;
 }
 
+Factorization factors_of(const MultiPolynomial& p) {
+  constexpr std::size_t longest = 200;
+  return p.length() > longest ? p.as_irreducible() : p.factors();
+}
+
+/// The factors without their constant, which another one replaces.
+Expression product_of_factors(const Factorization& product, const Rational& constant) {
+  Expression result = make_number(constant);
+  for (const auto& [factor, exponent] : product.factors) {
+    const Expression one = read_back(factor);
+    result = product_of(result, exponent == 1 ? one : make_power(one, static_cast<int>(exponent)));
+  }
+  return result;
+}
+
 Quotient raised(const Quotient& base, int exponent) {
   const auto n = static_cast<std::size_t>(exponent < 0 ? -exponent : exponent);
   const Quotient result{power(base.over, n), power(base.under, n)};
@@ -96,7 +111,11 @@ Quotient Quotients::on_circles(Quotient x) const {
 
 Expression Quotients::expression(const Quotient& x) const {
   const Quotient on_circles = this->on_circles(x);
-  return quotient_of(read_back(on_circles.over), read_back(on_circles.under));
+  if (on_circles.over.is_zero()) return zero_literal();
+  const Factorization over = factors_of(on_circles.over), under = factors_of(on_circles.under);
+  const Rational constant = over.constant / under.constant;
+  return quotient_of(product_of_factors(over, Rational(numerator(constant))),
+                     product_of_factors(under, Rational(denominator(constant))));
 }
 
 Quotient Quotients::shortened(Quotient x) {

@@ -103,7 +103,8 @@ class Places {
     const Turn against(body);
     body.rotation.assign(9, zero_literal());
     for (std::size_t j = 0; j < 3; ++j) {
-      const SceneVector column = other.in_scene(second ? against.in_scene(axis(j)) : against.in_body(axis(j)));
+      const SceneVector column =
+          simplified(other.in_scene(second ? against.in_scene(axis(j)) : against.in_body(axis(j))));
       for (std::size_t i = 0; i < 3; ++i) body.rotation[3 * i + j] = folded(column[i]);
     }
     const SceneVector on_first = unplaced(joint.at) + unplaced(body.by->displacement) * unplaced(joint.axis),
@@ -128,8 +129,7 @@ class Places {
   }
 
   SceneVector simplified(const SceneVector& vector) const {
-    return {in_lowest_terms(mechanism_, vector.x), in_lowest_terms(mechanism_, vector.y),
-            in_lowest_terms(mechanism_, vector.z)};
+    return {shortened(mechanism_, vector.x), shortened(mechanism_, vector.y), shortened(mechanism_, vector.z)};
   }
 
   Bodies& bodies_;

@@ -132,17 +132,21 @@ class Velocities {
     return std::ranges::any_of(symbols(expression), [&](const auto& symbol) { return numbers_.contains(symbol); });
   }
 
+  /// With 0 for the unknowns.
+  Quotient at_rest(const Expression& expression) {
+    const auto still = [&](const std::string& symbol) { return numbers_.contains(symbol) ? zero_literal() : nullptr; };
+    return Quotients::shortened(quotients_.of(substitute(expression, still)));
+  }
+
   /// An expression that is 0, and linear in the unknowns.
   RateEquation equation(const Expression& zero) {
-    RateEquation result{{}, quotients_.number(0)};
+    RateEquation result{{}, at_rest(zero)};
     for (const std::string& symbol : symbols(zero)) {
       const auto known = numbers_.find(symbol);
       if (known == numbers_.end()) continue;
-      Quotient term = Quotients::shortened(quotients_.of(derivative_of(zero, symbol)));
+      Quotient term = at_rest(derivative_of(zero, symbol));
       if (!term.over.is_zero()) result.terms.emplace(known->second, std::move(term));
     }
-    result.rest = Quotients::shortened(quotients_.of(substitute(
-        zero, [&](const std::string& symbol) { return numbers_.contains(symbol) ? zero_literal() : nullptr; })));
     return result;
   }
 
