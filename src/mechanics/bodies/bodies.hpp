@@ -48,6 +48,13 @@ struct BodyShape {
   Place place;
 };
 
+/// How a joint places a body, in place of `at`: it is turned against the joint's other body as its angle, quaternion,
+/// or axis and angle say, the second body against the first.
+struct BodyPlacement {
+  PlacedText joint;               ///< its name
+  PlacedExpression displacement;  ///< of the second body along the axis of a slider; 0 if left out
+};
+
 struct Body {
   /// The name of an unknown acceleration, and whether it counts in the opposite direction.
   struct Unknown {
@@ -62,7 +69,9 @@ struct Body {
   PlacedExpression cosine, sine;               ///< of the angle of its axes; null: along those of the scene
   PlacedVector turn_axis;                      ///< in space: the axis of that angle
   std::array<PlacedExpression, 4> quaternion;  ///< in space, instead: w x y z, of any length but 0
-  PlacedVector velocity;                       ///< of the centre of mass; 0 if left out
+  std::optional<BodyPlacement> by;             ///< the joint that places it
+  std::vector<Expression> rotation;            ///< where one does: the nine entries that follow, row by row
+  PlacedVector velocity;                       ///< of the centre of mass; 0 if left out and not in [state]
   PlacedVector spin;                           ///< in the axes of the scene
   PlacedVector acceleration;                   ///< prescribed, of `at`
   PlacedVector turning;                        ///< prescribed angular acceleration
@@ -112,6 +121,8 @@ struct BodyJoint {
   std::size_t carrier = ground;
   std::vector<std::size_t> links;                               ///< among the mechanism's
   std::optional<std::size_t> contact;                           ///< contact of a rope or a freewheel
+  std::vector<std::size_t> guides;                              ///< with friction: contacts of the scene in its place
+  PlacedExpression radius, ring;                                ///< of a pin with friction, and of the ring around it
   std::map<std::string, std::string, std::less<>> force_names;  ///< names in the file, by what they are along
   bool state_given = false, well_named = false;
   Place place;
@@ -155,12 +166,32 @@ struct BodyTorque {
   Place place;
 };
 
+/// An entry of [state]: one number that is known of the velocities.
+struct BodyRate {
+  enum class Kind : std::uint8_t {
+    spin,      ///< of a body
+    velocity,  ///< of a point of a body
+    rate,      ///< of a joint: the spin of the second body against the first, about its axis
+    speed,     ///< of a joint: of the second body along its axis
+    opening,   ///< of a contact
+    sliding
+  };
+  Kind kind = Kind::spin;
+  std::string name;      ///< as the file has it: `crank.spin`
+  std::size_t of = 0;    ///< a body; a joint, those that are guides after the others; a contact of the scene
+  std::size_t axis = 2;  ///< of a spin or velocity: the component
+  PlacedVector at;       ///< of a velocity: the point, in the axes of the body
+  PlacedExpression is;
+};
+
 struct Bodies {
   std::size_t dimension = 2;  ///< 2: the plane; 3: space
   PlacedVector gravity;       ///< null: the file states that there is none, or has no masses
   std::vector<Body> bodies;   ///< the ground first
   std::vector<BodyContact> contacts;
   std::vector<BodyJoint> joints;
+  std::vector<BodyJoint> guides;  ///< joints with friction, in whose place contacts stand
+  std::vector<BodyRate> rates;
   std::vector<BodyFriction> friction;
   std::vector<BodyForce> forces;
   std::vector<BodyTorque> torques;
@@ -183,6 +214,7 @@ void visit_expressions(Scene& scene, Visit&& visit) {
     visit(body.sine, "angle", false);
     all(body.turn_axis, "axis", false);
     for (auto& entry : body.quaternion) visit(entry, "turn", false);
+    if (body.by) visit(body.by->displacement, "displacement", false);
     all(body.velocity, "velocity", false);
     all(body.spin, "spin", false);
     all(body.acceleration, "acceleration", true);
@@ -207,14 +239,22 @@ void visit_expressions(Scene& scene, Visit&& visit) {
     all(contact.tangent, "tangent", false);
     visit(contact.rolling_resistance, "rolling_resistance", false);
   }
-  for (auto& joint : scene.joints) {
-    all(joint.at, "at", false);
-    all(joint.to, "to", false);
-    all(joint.axis, "axis", false);
-    all(joint.to_axis, "to_axis", false);
-    visit(joint.length, "length", false);
-    visit(joint.tension, "force", true);
-    visit(joint.ratio, "ratio", false);
+  for (auto* joints : {&scene.joints, &scene.guides}) {
+    for (auto& joint : *joints) {
+      all(joint.at, "at", false);
+      all(joint.to, "to", false);
+      all(joint.axis, "axis", false);
+      all(joint.to_axis, "to_axis", false);
+      visit(joint.length, "length", false);
+      visit(joint.tension, "force", true);
+      visit(joint.ratio, "ratio", false);
+      visit(joint.radius, "radius", false);
+      visit(joint.ring, "ring", false);
+    }
+  }
+  for (auto& rate : scene.rates) {
+    all(rate.at, "at", false);
+    visit(rate.is, rate.name, false);
   }
   for (auto& force : scene.forces) {
     all(force.at, "at", false);

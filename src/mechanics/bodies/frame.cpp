@@ -28,7 +28,9 @@ SceneVector unplaced(const PlacedVector& placed) {
 }
 
 Turn::Turn(const Body& body) {
-  if (body.quaternion[0]) {
+  if (!body.rotation.empty()) {
+    by_entries(body.rotation);
+  } else if (body.quaternion[0]) {
     by_quaternion({unplaced(body.quaternion[0]), unplaced(body.quaternion[1]), unplaced(body.quaternion[2]),
                    unplaced(body.quaternion[3])});
   } else if (body.turn_axis) {
@@ -36,6 +38,10 @@ Turn::Turn(const Body& body) {
   } else {
     by_angle(body.cosine ? unplaced(body.cosine) : make_number(1), unplaced(body.sine));
   }
+}
+
+void Turn::by_entries(const std::vector<Expression>& rotation) {
+  for (std::size_t i = 0; i < rotation.size(); ++i) entries_[i / 3][i % 3].value = rotation[i];
 }
 
 void Turn::by_angle(const Expression& cosine, const Expression& sine) {

@@ -17,7 +17,7 @@ SceneVector unplaced(const PlacedVector& placed);
 /// How the axes of a body are turned: a rotation by its nine entries.
 class Turn {
  public:
-  /// Of a body's angle, quaternion, or axis and angle.
+  /// Of a body's rotation, or of its angle, quaternion, or axis and angle.
   explicit Turn(const Body& body);
 
   SceneVector in_scene(const SceneVector& own) const;
@@ -30,6 +30,7 @@ class Turn {
     Expression value = zero_literal();
     bool negated = false;  ///< it is subtracted, after the others are added: the sine of a turn in the plane
   };
+  void by_entries(const std::vector<Expression>& rotation);
   void by_angle(const Expression& cosine, const Expression& sine);
   void by_quaternion(const std::array<Expression, 4>& q);
   void about(const SceneVector& axis, const Expression& cosine, const Expression& sine);

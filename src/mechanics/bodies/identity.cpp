@@ -1,12 +1,7 @@
 #include "mechanics/bodies/identity.hpp"
 
-#include <algorithm>
-#include <map>
-#include <string>
-#include <vector>
-
-#include "base/algebra/polynomial.hpp"
 #include "base/expression/parser.hpp"
+#include "mechanics/bodies/quotients.hpp"
 #include "mechanics/bodies/sure_sign.hpp"
 #include "mechanics/mechanism/algebra.hpp"
 
@@ -14,149 +9,12 @@ namespace slipproof::bodies_in_motion {
 
 namespace {
 
-struct Quotient {
-  MultiPolynomial over, under;
-};
-
-/// What no polynomial says.
-struct NoQuotient {};
-
-/// Parameters, the angles as t, the load; then the cosine and sine of each angle.
-PolynomialRing ring_of(const Mechanism& mechanism) {
-  const auto values = value_names(mechanism);
-  std::vector<std::string> names(values.begin(), values.end());
-  for (const MechanismAngle& angle : mechanism.angles) names.insert(names.end(), {angle.cosine, angle.sine});
-  return PolynomialRing(std::move(names));
+/// The number of literals, symbols and operations.
+std::size_t size(const Expression& expression) {
+  std::size_t sum = 1;
+  for (const Expression& operand : expression->operands) sum += size(operand);
+  return sum;
 }
-
-class Quotients {
- public:
-  explicit Quotients(const Mechanism& mechanism)
-      : mechanism_(mechanism), ring_(ring_of(mechanism)), circles_(ring_.size() - 2 * mechanism.angles.size()) {
-    constexpr std::uint64_t enough = 2'000'000;
-    ring_.budget() = Budget(enough);
-    for (std::size_t i = 0; i < circles_; ++i)
-      symbols_.emplace(ring_.name(i), whole(MultiPolynomial::variable(ring_, i)));
-    for (std::size_t i = 0; i < mechanism.angles.size(); ++i) {
-      const MultiPolynomial t = MultiPolynomial::variable(ring_, half_turn(i));
-      const MultiPolynomial one(ring_, 1), square = t * t;
-      symbols_.insert_or_assign(mechanism.angles[i].cosine, Quotient{one - square, one + square});
-      symbols_.insert_or_assign(mechanism.angles[i].sine, Quotient{t.scaled(2), one + square});
-    }
-  }
-
-  Quotient of(const Expression& e) {
-    switch (e->operation) {
-      case Operation::number:
-        return whole(MultiPolynomial(ring_, e->number));
-      case Operation::symbol:
-        return symbol(e->symbol);
-      case Operation::negate: {
-        const Quotient x = of(e->operands[0]);
-        return {-x.over, x.under};
-      }
-      case Operation::power:
-        return raised(of(e->operands[0]), e->exponent);
-      case Operation::add:
-      case Operation::subtract:
-      case Operation::multiply:
-      case Operation::divide:
-        return combined(e->operation, of(e->operands[0]), of(e->operands[1]));
-      default:
-        throw NoQuotient{};
-    }
-  }
-
-  /// With cosines and sines for t; nothing if it is no square.
-  std::optional<Quotient> root(const Quotient& square) const {
-    if (square.under.is_zero()) return std::nullopt;
-    const auto root = square_root(square.over * square.under);
-    if (!root) return std::nullopt;
-    Quotient result = shortened({*root, square.under});
-    for (std::size_t i = 0; i < mechanism_.angles.size(); ++i) {
-      const std::size_t t = half_turn(i);
-      const std::size_t circles = (std::max(result.over.degree(t), result.under.degree(t)) + 1) / 2;
-      result = {on_circle(result.over, i, circles), on_circle(result.under, i, circles)};
-    }
-    return shortened(result);
-  }
-
- private:
-  std::size_t half_turn(std::size_t angle) const { return mechanism_.parameters.size() + angle; }
-
-  static std::optional<MultiPolynomial> square_root(const MultiPolynomial& p) {
-    constexpr std::size_t longest = 500;
-    if (p.length() > longest) return std::nullopt;
-    const Factorization whole = p.factors();
-    const auto over = exact_root(numerator(whole.constant)), under = exact_root(denominator(whole.constant));
-    if (!over || !under) return std::nullopt;
-    MultiPolynomial result(p.ring(), Rational(*over, *under));
-    for (const auto& [factor, exponent] : whole.factors) {
-      if (exponent % 2 != 0) return std::nullopt;
-      result *= power(factor, exponent / 2);
-    }
-    return result;
-  }
-
-  static Quotient shortened(Quotient x) {
-    const auto common = x.over.common_divisor(x.under);
-    if (common) x = {*x.over.divided_by(*common), *x.under.divided_by(*common)};
-    return x.under.is_constant() ? Quotient{x.over.scaled(1 / x.under.constant()), MultiPolynomial(x.over.ring(), 1)}
-                                 : x;
-  }
-
-  /// p/(1 + t^2)^circles, in the cosine and sine of the angle: 1/(1 + t^2) = (1 + cos)/2, t/(1 + t^2) = sin/2 and
-  /// t^2/(1 + t^2) = (1 - cos)/2.
-  MultiPolynomial on_circle(const MultiPolynomial& p, std::size_t angle, std::size_t circles) const {
-    const MultiPolynomial one(ring_, 1), cosine = MultiPolynomial::variable(ring_, circles_ + 2 * angle),
-                                         sine = MultiPolynomial::variable(ring_, circles_ + 2 * angle + 1);
-    MultiPolynomial result(ring_, 0);
-    for (std::size_t k = 0; k <= p.degree(half_turn(angle)); ++k) {
-      result += p.coefficient(half_turn(angle), k) * power((one - cosine).scaled({1, 2}), k / 2) *
-                power(sine.scaled({1, 2}), k % 2) * power((one + cosine).scaled({1, 2}), circles - (k + 1) / 2);
-    }
-    return result;
-  }
-
-  Quotient whole(const MultiPolynomial& polynomial) const { return {polynomial, MultiPolynomial(ring_, 1)}; }
-
-  Quotient symbol(const std::string& name) {
-    if (const auto known = symbols_.find(name); known != symbols_.end()) return known->second;
-    for (const MechanismDefinition& definition : mechanism_.definitions) {
-      if (definition.symbol != name) continue;
-      const Quotient value = of(definition.expression.expression);
-      symbols_.emplace(name, value);
-      return value;
-    }
-    throw NoQuotient{};
-  }
-
-  Quotient raised(const Quotient& base, int exponent) const {
-    const auto n = static_cast<std::size_t>(exponent < 0 ? -exponent : exponent);
-    const Quotient result{power(base.over, n), power(base.under, n)};
-    return exponent < 0 ? Quotient{result.under, result.over} : result;
-  }
-
-  static Quotient combined(Operation operation, const Quotient& x, const Quotient& y) {
-    switch (operation) {
-      case Operation::multiply:
-        return {x.over * y.over, x.under * y.under};
-      case Operation::divide:
-        return {x.over * y.under, x.under * y.over};
-      default:
-        break;
-    }
-    const bool minus = operation == Operation::subtract;
-    if (x.under == y.under) return {minus ? x.over - y.over : x.over + y.over, x.under};
-    const MultiPolynomial left = x.over * y.under, right = y.over * x.under;
-    return {minus ? left - right : left + right, x.under * y.under};
-  }
-
-  const Mechanism& mechanism_;
-  PolynomialRing ring_;
-  std::size_t circles_;  ///< where the cosines and sines begin
-  std::map<std::string, Quotient> symbols_;
-};
 
 }  // namespace
 
@@ -177,10 +35,7 @@ std::optional<Expression> root_of_square(const Mechanism& mechanism, const Expre
     Quotients quotients(mechanism);
     const auto root = quotients.root(quotients.of(square));
     if (!root) return std::nullopt;
-    const auto read = [](const MultiPolynomial& p) {
-      return p.is_constant() ? make_number(p.constant()) : parse_expression(p.text(), Sort::number);
-    };
-    const Expression value = quotient_of(read(root->over), read(root->under));
+    const Expression value = quotient_of(read_back(root->over), read_back(root->under));
     const Signs signs = sure_signs(mechanism, value);
     return !signs.negative ? value : !signs.positive ? negative_of(value) : make(Operation::absolute, {value});
   } catch (const NoQuotient&) {
@@ -188,6 +43,21 @@ std::optional<Expression> root_of_square(const Mechanism& mechanism, const Expre
   } catch (const ExpressionError&) {  // too long for people
   }
   return std::nullopt;
+}
+
+Expression shortened(const Mechanism& mechanism, const Expression& expression) {
+  if (expression->operands.empty()) return expression;
+  try {
+    Quotients quotients(mechanism);
+    const Quotient value = quotients.of(expression);
+    if (value.under.is_zero()) return expression;
+    const Expression shorter = quotients.expression(value);
+    if (size(shorter) < size(expression)) return shorter;
+  } catch (const NoQuotient&) {
+  } catch (const Budget::Spent&) {
+  } catch (const ExpressionError&) {  // too long for people
+  }
+  return expression;
 }
 
 }  // namespace slipproof::bodies_in_motion

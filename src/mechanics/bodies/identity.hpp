@@ -18,4 +18,8 @@ bool vanishes_identically(const Mechanism& mechanism, const Expression& expressi
 /// for (l*c)^2 + (l*s)^2. Nothing if it is not a square, or if that is not known, for the same reasons as above.
 std::optional<Expression> root_of_square(const Mechanism& mechanism, const Expression& square);
 
+/// The same as a quotient in lowest terms, of polynomials in parameters, cosines and sines, if that is shorter; as it
+/// is where a function occurs, or the polynomials grow too long.
+Expression shortened(const Mechanism& mechanism, const Expression& expression);
+
 }  // namespace slipproof::bodies_in_motion

@@ -10,6 +10,8 @@
 #include "mechanics/bodies/settle.hpp"
 #include "mechanics/mechanism/forms.hpp"
 #include "mechanics/reading/reader.hpp"
+#include "mechanics/states/places.hpp"
+#include "mechanics/states/velocities.hpp"
 
 namespace slipproof {
 
@@ -131,10 +133,10 @@ namespace {
 using mechanism_reader::Context;
 
 constexpr std::string_view schema = "slipproof/mechanism/1";
-constexpr std::array<std::string_view, 26> mechanism_keys{
+constexpr std::array<std::string_view, 27> mechanism_keys{
     "schema",      "dimension", "name",  "source",   "note",  "reciprocal", "parameters", "assume", "realisable",
     "definitions", "angles",    "load",  "unknowns", "units", "motion",     "equations",  "energy", "contact",
-    "friction",    "link",      "shape", "gravity",  "body",  "joint",      "force",      "torque"};
+    "friction",    "link",      "shape", "gravity",  "body",  "joint",      "force",      "torque", "state"};
 
 /// 2 if it is left out.
 std::size_t read_dimension(const TableReader& root) {
@@ -168,12 +170,17 @@ void read_root(const TableReader& root, Context& context, std::optional<BodyGeom
     mechanism_reader::read_shapes(root, context);
     mechanism_reader::check_uses(bodies, context);
     if (!context.sound || !context.mistakes.empty()) return;
+    place_bodies(bodies, mechanism, context.mistakes);
+    if (!context.mistakes.empty()) return;
+    std::vector<GeometryFact> facts = find_velocities(bodies, mechanism, context.mistakes);
+    if (!context.mistakes.empty()) return;
     geometry = derive_mechanism(bodies, mechanism, context.mistakes);
+    std::ranges::move(facts, std::back_inserter(geometry->facts));
     mechanism.bodies = std::make_shared<const Bodies>(std::move(bodies));
   } else {
     if (mechanism.dimension == 3)
       root.require("body", "bodies, from which the equations of a mechanism in space follow");
-    for (const std::string_view key : {"gravity", "joint", "force", "torque"}) {
+    for (const std::string_view key : {"gravity", "joint", "force", "torque", "state"}) {
       if (root.has(key))
         root.refuse(key, "found without [[body]], expected bodies beside it, or [motion] in its place");
     }

@@ -46,8 +46,12 @@ void read_body_list(const TableReader& root, Context& context, Bodies& bodies);
 void read_body_contacts(const TableReader& root, Context& context, Bodies& bodies);
 /// [[joint]]: ropes and freewheels are contacts; the links of the others come last, by add_joint_links().
 void read_joints(const TableReader& root, Context& context, Bodies& bodies);
+/// The contacts in place of a slider or pin with friction.
+void add_guides(const TableReader& table, BodyJoint joint, bool named_well, Context& context, Bodies& bodies);
 /// [[friction]], then rolling resistance.
 void read_body_friction(const TableReader& root, Context& context, Bodies& bodies);
 void add_joint_links(Context& context, Bodies& bodies);
+/// [state], when bodies, joints and contacts are read.
+void read_state(const TableReader& root, Context& context, Bodies& bodies);
 
 }  // namespace slipproof::mechanism_reader

@@ -153,6 +153,7 @@ Bodies read_bodies(const TableReader& root, Context& context) {
   read_joints(root, context, bodies);
   read_body_friction(root, context, bodies);
   add_joint_links(context, bodies);
+  read_state(root, context, bodies);
   scene.read_forces(root);
   scene.check_held();
   scene.check_units(root);

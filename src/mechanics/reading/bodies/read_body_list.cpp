@@ -31,9 +31,10 @@ class BodyListReader : public BodyParts {
 
  private:
   void read_body(const TomlValue& value, bool alone) {
-    std::array<std::string_view, 11> keys{"name", "mass",         "inertia", "at",    "angle", "velocity",
-                                          "spin", "acceleration", "turning", "shape", "names"};
-    if (in_space()) keys[4] = "turn";
+    static constexpr std::array<std::string_view, 14> all{"name", "mass",         "inertia", "at",    "velocity",
+                                                          "spin", "acceleration", "turning", "shape", "names",
+                                                          "by",   "displacement", "angle",   "turn"};
+    const std::span<const std::string_view> keys(all.data(), in_space() ? 14 : 13);
     const TableReader table(value, "[[body]]", keys, context_.mistakes);
     Body body;
     body.place = value.place;
@@ -47,6 +48,7 @@ class BodyListReader : public BodyParts {
     read_inertia(table, body);
     body.at = vector(table, "at");
     in_space() ? read_turn(table, body) : read_angle(table, body);
+    read_placement(table, body);
     body.velocity = vector(table, "velocity");
     body.spin = turning(table, "spin");
     body.acceleration = vector(table, "acceleration");
@@ -55,6 +57,23 @@ class BodyListReader : public BodyParts {
     check_motion(table, body);
     name_unknowns(table, body, alone);
     bodies_.bodies.push_back(std::move(body));
+  }
+
+  /// A body that a joint places.
+  void read_placement(const TableReader& table, Body& body) {
+    if (!table.has("by")) {
+      if (table.has("displacement")) table.refuse("displacement", "found it without `by`, the joint along which it is");
+      if (in_space() && table.has("angle")) {
+        table.refuse("angle", "found it without `by`, the joint about whose axis it is, expected `turn`");
+      }
+      return;
+    }
+    if (table.has("at")) table.refuse("at", "found together with `by`, from which it follows, expected one of them");
+    if (in_space() && table.has("angle")) {
+      if (table.has("turn")) table.refuse("turn", "found together with an angle, expected one of them");
+      read_angle(table, body);
+    }
+    if (const PlacedText* joint = table.string("by")) body.by = {*joint, one(table, "displacement")};
   }
 
   void declare_body(const std::string& name, Place place) {

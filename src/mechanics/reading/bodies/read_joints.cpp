@@ -60,10 +60,10 @@ class JointReader : public BodyParts {
 
  private:
   void read_joint(const TomlValue& value) {
-    static constexpr std::array<std::string_view, 14> all{"name",      "kind",   "between", "at",     "to",
-                                                          "axis",      "length", "force",   "ratio",  "carrier",
-                                                          "one_sided", "state",  "names",   "to_axis"};
-    const std::span<const std::string_view> keys(all.data(), in_space() ? 14 : 13);
+    static constexpr std::array<std::string_view, 17> all{
+        "name",    "kind",      "between", "at",    "to",       "axis",   "length", "force",  "ratio",
+        "carrier", "one_sided", "state",   "names", "friction", "radius", "ring",   "to_axis"};
+    const std::span<const std::string_view> keys(all.data(), in_space() ? 17 : 16);
     const TableReader table(value, "[[joint]]", keys, context_.mistakes);
     BodyJoint joint;
     joint.place = value.place;
@@ -78,9 +78,12 @@ class JointReader : public BodyParts {
     joint.tension = one(table, "force");
     joint.ratio = one(table, "ratio");
     if (table.has("carrier")) joint.carrier = body_of(table, "carrier");
+    joint.radius = one(table, "radius");
+    joint.ring = one(table, "ring");
     joint.state_given = table.has("state");
     if (known) check_keys(table, joint);
     if (context_.sound) check_free(table, joint);
+    if (known && has_friction(table)) return add_guides(table, std::move(joint), named_well_, context_, bodies_);
     static constexpr std::array<std::string_view, 5> in_plane{"x", "y", "turn", "across", "force"};
     static constexpr std::array<std::string_view, 9> spatial{"x",     "y",     "z",     "across1", "across2",
                                                              "turn1", "turn2", "turn3", "force"};
@@ -127,18 +130,28 @@ class JointReader : public BodyParts {
     return true;
   }
 
+  /// False, and a report, in space.
+  bool has_friction(const TableReader& table) {
+    if (!table.has("friction") || !in_space()) return table.has("friction");
+    table.refuse("friction",
+                 "found friction at a joint in space, where no guide has it, expected it at contacts, [[contact]]");
+    return false;
+  }
+
   /// What a kind needs, and what it has no use for.
   void check_keys(const TableReader& table, const BodyJoint& joint) {
     using Kind = BodyJoint::Kind;
     const Kind kind = joint.kind;
     const bool span = kind == Kind::rod || kind == Kind::rope || kind == Kind::spring;
+    const bool rubs = table.has("friction"), turning = turns({joint.first, joint.second});
+    const bool guided = rubs && kind == Kind::slider, in_ring = rubs && kind == Kind::pin;
     const std::string word = table.string("kind")->text();
     const auto rule = [&](std::string_view key, bool allowed, bool needed, std::string_view expected) {
       if (needed) context_.sound = table.require(key, expected) && context_.sound;
       if (!allowed && table.has(key)) table.refuse(key, "a " + word + " has none");
     };
     rule("at", kind != Kind::gear, kind != Kind::gear, "the point of the first body");
-    rule("to", kind != Kind::gear, span, "the point of the second body");
+    rule("to", kind != Kind::gear, span || in_ring, "the point of the second body");
     const bool slides = kind == Kind::slider || kind == Kind::cylindrical;
     const bool gear_in_space = kind == Kind::gear && in_space();
     rule("axis", slides || kind == Kind::hinge || kind == Kind::universal || gear_in_space,
@@ -150,13 +163,19 @@ class JointReader : public BodyParts {
       rule("to_axis", kind == Kind::universal || gear_in_space, kind == Kind::universal,
            "the other axis, in the axes of the second body");
     }
-    rule("length", span, span, "the length between its ends");
+    rule("friction", kind == Kind::slider || kind == Kind::pin, false, "");
+    rule("length", span || guided, span || (guided && turning && !in_space()),
+         guided ? "the distance of its two guides" : "the length between its ends");
+    rule("radius", in_ring, in_ring && !in_space(), "the radius of the pin, a disc about `to` on the second body");
+    rule("ring", in_ring, in_ring && !in_space(),
+         "the radius of the ring about `at` on the first body, larger than the pin's");
     rule("force", kind == Kind::spring, kind == Kind::spring, "the tension of the spring now, such as \"k*x\"");
     rule("ratio", kind == Kind::gear, kind == Kind::gear, "the second body's turning over the first's");
     rule("carrier", kind == Kind::gear, false, "");
     rule("one_sided", kind == Kind::gear, false, "");
     const bool one_sided = kind == Kind::rope || (kind == Kind::gear && table.boolean("one_sided").value_or(false));
-    rule("state", one_sided, false, "");
+    rule("state", one_sided || rubs, false, "");
+    rule("names", !rubs, false, "");
   }
 
   /// A rope or a freewheel: a frictionless contact that is closed while it is taut or drives.

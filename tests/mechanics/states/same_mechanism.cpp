@@ -1,0 +1,57 @@
+#include "mechanics/states/same_mechanism.hpp"
+
+#include <doctest/doctest.h>
+
+#include "base/expression/parser.hpp"
+#include "mechanics/bodies/identity.hpp"
+
+namespace slipproof::test {
+
+namespace {
+
+bool identical(const Mechanism& mechanism, const Expression& x, const Expression& y) {
+  return bodies_in_motion::vanishes_identically(mechanism, make(Operation::subtract, {x, y}));
+}
+
+void check_same_form(const Mechanism& mechanism, const SymbolicForm& one, const SymbolicForm& other) {
+  REQUIRE(one.coefficients.size() == other.coefficients.size());
+  for (std::size_t i = 0; i < one.coefficients.size(); ++i) {
+    CAPTURE(mechanism.unknowns[i].symbol);
+    CHECK(identical(mechanism, one.coefficients[i], other.coefficients[i]));
+  }
+  CHECK(identical(mechanism, one.load, other.load));
+  CAPTURE(to_string(one.constant));
+  CAPTURE(to_string(other.constant));
+  CHECK(identical(mechanism, one.constant, other.constant));
+}
+
+}  // namespace
+
+bool is_identical(const Mechanism& mechanism, const Expression& expression, const std::string& text) {
+  return identical(mechanism, expression, parse_expression(text, Sort::number));
+}
+
+void check_same_mechanism(const Mechanism& one, const Mechanism& other) {
+  REQUIRE(one.unknowns.size() == other.unknowns.size());
+  for (std::size_t i = 0; i < one.unknowns.size(); ++i) CHECK(one.unknowns[i].symbol == other.unknowns[i].symbol);
+  CHECK(starts(one) == starts(other));
+  REQUIRE(one.equations.size() == other.equations.size());
+  for (std::size_t i = 0; i < one.equations.size(); ++i) {
+    CAPTURE(one.equations[i].name);
+    check_same_form(other, one.equations[i].form, other.equations[i].form);
+  }
+  REQUIRE(one.links.size() == other.links.size());
+  for (std::size_t i = 0; i < one.links.size(); ++i) {
+    CAPTURE(one.links[i].name);
+    check_same_form(other, one.links[i].form, other.links[i].form);
+  }
+  REQUIRE(one.contacts.size() == other.contacts.size());
+  for (std::size_t i = 0; i < one.contacts.size(); ++i) {
+    CAPTURE(one.contacts[i].name);
+    CHECK(one.contacts[i].bilateral == other.contacts[i].bilateral);
+    check_same_form(other, one.contacts[i].gap_form, other.contacts[i].gap_form);
+    check_same_form(other, one.contacts[i].slip_form, other.contacts[i].slip_form);
+  }
+}
+
+}  // namespace slipproof::test
