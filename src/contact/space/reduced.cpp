@@ -25,6 +25,7 @@ class Elimination {
 
   ReducedSpace result() {
     const std::size_t unknowns = singular_.size() + held_;
+    if (echelon_.rank(unknowns + r_) > echelon_.rank(unknowns)) refuse_contacts();
     if (echelon_.rank() > echelon_.rank(unknowns)) refuse_contradiction();
     row_of_.assign(unknowns, std::nullopt);
     for (std::size_t i = 0; i < echelon_.rank(); ++i) row_of_[echelon_.pivot_columns[i]] = i;
@@ -165,6 +166,11 @@ class Elimination {
   }
   [[noreturn]] void refuse(Place place, const std::string& message) const {
     throw InputError({{m_.file, place.line, place.column, message}});
+  }
+  [[noreturn]] void refuse_contacts() const {
+    refuse({},
+           "found contact forces on a body without mass or inertia, which nothing but each other can balance, expected "
+           "a mass and an inertia of what is touched");
   }
   [[noreturn]] void refuse_contradiction() const {
     refuse({},
