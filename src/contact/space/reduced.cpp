@@ -25,6 +25,7 @@ class Elimination {
 
   ReducedSpace result() {
     const std::size_t unknowns = singular_.size() + held_;
+    if (echelon_.rank(unknowns + r_) > echelon_.rank(unknowns)) refuse_contacts();
     if (echelon_.rank() > echelon_.rank(unknowns)) refuse_contradiction();
     row_of_.assign(unknowns, std::nullopt);
     for (std::size_t i = 0; i < echelon_.rank(); ++i) row_of_[echelon_.pivot_columns[i]] = i;
@@ -41,7 +42,7 @@ class Elimination {
     }
     std::size_t next = 0;
     for (std::size_t i = 0; i < v_; ++i) {
-      std::vector<Rational> own = right_[i];
+      std::vector<Rational> own = right_[i];  // over r and 1
       const bool is_singular = next < singular_.size() && singular_[next] == i;
       if (is_singular && !is_determined(next)) refuse_free(i);
       if (is_singular) own = solved[next++];
@@ -58,7 +59,7 @@ class Elimination {
       if (!row[k].is_zero()) to[k] += factor * row[k];
     }
   }
-  static void put(std::vector<Rational>& over, RationalMatrix& matrix, std::vector<Rational>& constants) {
+  static void put(std::vector<Rational> over, RationalMatrix& matrix, std::vector<Rational>& constants) {
     constants.push_back(std::move(over.back()));
     over.pop_back();
     matrix.push_back(std::move(over));
@@ -165,6 +166,11 @@ class Elimination {
   }
   [[noreturn]] void refuse(Place place, const std::string& message) const {
     throw InputError({{m_.file, place.line, place.column, message}});
+  }
+  [[noreturn]] void refuse_contacts() const {
+    refuse({},
+           "found contact forces on a body without mass or inertia, which nothing but each other can balance, expected "
+           "a mass and an inertia of what is touched");
   }
   [[noreturn]] void refuse_contradiction() const {
     refuse({},

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string>
 
+#include "base/input/diagnostic.hpp"
 #include "contact/space/in_space.hpp"
 #include "contact/space/solve_space.hpp"
 #include "mechanics/bodies/bodies.hpp"
@@ -76,7 +78,14 @@ TEST_CASE("planar scenes put into space have the same motion") {
       const MotionAtLoad* motion = only_motion(found);
       if (motion == nullptr) continue;
       ++tried;
-      const SolvedSpace solved = solve_space(scene);
+      SolvedSpace solved;
+      try {
+        solved = solve_space(scene);
+      } catch (const InputError& error) {  // wheels that weigh nothing: the forces at them are no unknowns of their own
+        CHECK(std::string(error.what()).find("without mass or inertia") != std::string::npos);
+        --tried;
+        continue;
+      }
       if (!solved.complete() || solved.motions.size() != 1) continue;
       compare(planar, *motion, spatial, solved.motions.front());
       ++compared;
