@@ -41,7 +41,7 @@ class Elimination {
     }
     std::size_t next = 0;
     for (std::size_t i = 0; i < v_; ++i) {
-      std::vector<Rational> own = right_[i];
+      std::vector<Rational> own = right_[i];  // over r and 1
       const bool is_singular = next < singular_.size() && singular_[next] == i;
       if (is_singular && !is_determined(next)) refuse_free(i);
       if (is_singular) own = solved[next++];
@@ -58,7 +58,7 @@ class Elimination {
       if (!row[k].is_zero()) to[k] += factor * row[k];
     }
   }
-  static void put(std::vector<Rational>& over, RationalMatrix& matrix, std::vector<Rational>& constants) {
+  static void put(std::vector<Rational> over, RationalMatrix& matrix, std::vector<Rational>& constants) {
     constants.push_back(std::move(over.back()));
     over.pop_back();
     matrix.push_back(std::move(over));

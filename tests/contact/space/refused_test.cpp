@@ -131,7 +131,7 @@ TEST_CASE("an angle gives a sliding velocity its direction") {
   const std::string text =
       "angles = { theta = { cos = \"c\", sin = \"s\", domain = \"c > 0\" } }\n"
       "parameters = { v = \"v > 0\" }\n" +
-      cube + "velocity = [\"v*c\", \"v*s\", \"0\"]\n" + foot;
+      cube + "velocity = [\"v*c\", \"v*s\", \"0\"]\n" + standing;
   const Mechanism mechanism = parse_mechanism(
       "schema = \"slipproof/mechanism/1\"\nname = \"slides\"\ndimension = 3\ngravity = [\"0\", \"0\", \"-10\"]\n" +
           text,
