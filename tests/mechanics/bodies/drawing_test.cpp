@@ -217,7 +217,7 @@ TEST_CASE("a good drawing has no warning, and each mistake has its own") {
   warned("at = [\"0\", \"3\"]", "at = [\"0\", \"2\"]", "the shapes of lower and upper lie in each other");
   warned("inertia = \"1\"\nat = [\"0\", \"3\"]", "inertia = \"3\"\nat = [\"0\", \"3\"]",
          "body upper: found a moment of inertia that is more than if all of its mass were where its shape ends");
-  warned("point = [\"-b\", \"-1\"]", "point = [\"-2*b\", \"-1\"]", "left: it is outside of the shape of lower");
+  warned("point = [\"1\", \"-1\"]", "point = [\"4\", \"-1\"]", "two: it is outside of the shape of upper");
   warned("box = [\"2\", \"2\"] }", "box = [\"2\", \"2\"], at = [\"0\", \"2\"] }",
          "body upper: its centre of mass is outside of its shape");
   warned("at = [\"b\", \"1\"]", "at = [\"b\", \"1\"]\nshape = { circle = \"1/2\" }",

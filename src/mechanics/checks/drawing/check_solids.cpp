@@ -126,27 +126,27 @@ class SolidCheck {
     return scene_.dimension == 3 ? std::string("about ") + axis_names[axis] + " " : std::string();
   }
 
-  /// Two moments of which always that one is less which is twice as large or more of a homogeneous box of its size.
+  /// Two moments whose order is always the other one than that of a homogeneous box of this size, of which one is twice
+  /// as large or more.
   template <class Report>
   void order(std::size_t body, const Report& report) {
     const PlacedInertia& given = scene_.bodies[body].inertia;
-    const auto against = [&](std::size_t less, std::size_t more) {
+    const auto against = [&](std::size_t i, std::size_t k) {
       std::size_t count = 0;
       for (Drawing& d : drawings_) {
         const auto box = d.own_box(body);
-        const Rational one = of_box(*box, less), other = of_box(*box, more);
+        const Rational one = of_box(*box, i), other = of_box(*box, k);
         if (one < 2 * other && other < 2 * one) continue;
-        if (d.number(given.at(less, less)) >= d.number(given.at(more, more)) || one < other) return false;
+        if ((d.number(given.at(i, i)) < d.number(given.at(k, k))) == (one < other)) return false;
         ++count;
       }
       return count >= CheckPoints::needed;
     };
     for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (i == k || !against(i, k)) continue;
-        report(std::string("found a smaller moment of inertia about ") + axis_names[i] + " than about " +
-               axis_names[k] +
-               ", where a box of its size has one twice as large or more, expected them in the order xx yy zz");
+      for (std::size_t k = i + 1; k < 3; ++k) {
+        if (!against(i, k)) continue;
+        report(std::string("found moments of inertia about ") + axis_names[i] + " and " + axis_names[k] +
+               " in the other order than a box of its size has them, expected them as xx yy zz");
         return;
       }
     }
