@@ -67,7 +67,7 @@ Vector3d vector_in(const std::string& line) {
 Ours ours(const std::string& text) {
   const std::filesystem::path file = std::filesystem::temp_directory_path() / "slipproof-against-mujoco.toml";
   std::ofstream(file) << text;
-  const MechanismScene scene = read_scene(file.string());
+  const MechanismScene scene = read_scene(file.string(), Dimensions::any);
   const GlobalProblem problem = global_problem(scene);
   std::filesystem::remove(file);
   Ours result;
