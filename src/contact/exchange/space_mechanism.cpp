@@ -113,7 +113,7 @@ class SpaceWriter {
     }
     const bool along = shape.kind == Shape::Kind::box && shape.pose.turn.axes == Turn().axes;
     if (along) return fmt::format("{{ box = {}, at = {} }}", toml(Rational(2) * shape.half), toml(at));
-    return "{ hull = [" + listed(polytope_of(shape).corners, [&](const Vector& p) { return toml(p - centre); }) + "] }";
+    return "{ hull = [" + listed(corners_of(shape), [&](const Vector& p) { return toml(p - centre); }) + "] }";
   }
 
   Vector in_body(std::size_t body, const Vector& p) const { return body == 0 ? p : p - scene_.bodies[body].at; }
