@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/input/toml.hpp"
 #include "base/number/format.hpp"
@@ -24,6 +25,28 @@ std::string toml(const Vector& v) {
 }
 bool is_zero(const Vector& v) {
   return v == Vector{};
+}
+
+/// The corners of a shape for a picture: of many, those that lie farthest in 32 directions spread over the sphere.
+std::vector<Vector> drawn_corners(const Shape& shape) {
+  constexpr std::size_t most = 32;
+  const std::vector<Vector> all = corners_of(shape);
+  if (all.size() <= most) return all;
+  std::vector<Near> places;
+  for (const Vector& p : all) places.push_back(near(p));
+  std::vector<bool> taken(all.size());
+  for (std::size_t k = 0; k < most; ++k) {
+    const double z = 1 - (2 * static_cast<double>(k) + 1) / most, turn = 2.399963 * static_cast<double>(k);
+    const double across = std::sqrt(1 - z * z);
+    const Near direction{across * std::cos(turn), across * std::sin(turn), z};
+    const auto along = [&](const Near& p) { return dot(p, direction); };
+    taken[static_cast<std::size_t>(std::ranges::max_element(places, {}, along) - places.begin())] = true;
+  }
+  std::vector<Vector> result;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (taken[i]) result.push_back(all[i]);
+  }
+  return result;
 }
 
 class SpaceWriter {
@@ -113,7 +136,7 @@ class SpaceWriter {
     }
     const bool along = shape.kind == Shape::Kind::box && shape.pose.turn.axes == Turn().axes;
     if (along) return fmt::format("{{ box = {}, at = {} }}", toml(Rational(2) * shape.half), toml(at));
-    return "{ hull = [" + listed(corners_of(shape), [&](const Vector& p) { return toml(p - centre); }) + "] }";
+    return "{ hull = [" + listed(drawn_corners(shape), [&](const Vector& p) { return toml(p - centre); }) + "] }";
   }
 
   Vector in_body(std::size_t body, const Vector& p) const { return body == 0 ? p : p - scene_.bodies[body].at; }
