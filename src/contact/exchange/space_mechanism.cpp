@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/input/toml.hpp"
 #include "base/number/format.hpp"
@@ -26,6 +27,28 @@ bool is_zero(const Vector& v) {
   return v == Vector{};
 }
 
+/// The corners of a shape for a picture: of many, those that lie farthest in 32 directions spread over the sphere.
+std::vector<Vector> drawn_corners(const Shape& shape) {
+  constexpr std::size_t most = 32;
+  const std::vector<Vector> all = corners_of(shape);
+  if (all.size() <= most) return all;
+  std::vector<Near> places;
+  for (const Vector& p : all) places.push_back(near(p));
+  std::vector<bool> taken(all.size());
+  for (std::size_t k = 0; k < most; ++k) {
+    const double z = 1 - (2 * static_cast<double>(k) + 1) / most, turn = 2.399963 * static_cast<double>(k);
+    const double across = std::sqrt(1 - z * z);
+    const Near direction{across * std::cos(turn), across * std::sin(turn), z};
+    const auto along = [&](const Near& p) { return dot(p, direction); };
+    taken[static_cast<std::size_t>(std::ranges::max_element(places, {}, along) - places.begin())] = true;
+  }
+  std::vector<Vector> result;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (taken[i]) result.push_back(all[i]);
+  }
+  return result;
+}
+
 class SpaceWriter {
  public:
   SpaceWriter(Scene& scene, const SpaceOptions& options, Mistakes& mistakes)
@@ -47,14 +70,11 @@ class SpaceWriter {
       held_[one.first] = held_[one.second] = true;
       joints += joint(one);
     }
+    const std::string falling = std::ranges::find(held_, true) == held_.end() ? open_contacts() : "";
     for (std::size_t i = 1; i < scene_.bodies.size(); ++i) bodies += body(i);
     for (const Push& one : scene_.pushes) pushes += push(one);
-    if (result_.bodies == 0) {
-      mistakes_.add({}, "found nothing that touches within " + options_.touch.str() +
-                            " and no joint, expected contacts or joints (--touch, --ground, --stand)");
-    }
     result_.import_notes = scene_.import_notes;
-    result_.text = head() + bodies + rotors_ + joints + touching + pushes;
+    result_.text = head() + bodies + rotors_ + joints + touching + falling + pushes;
     return std::move(result_);
   }
 
@@ -69,15 +89,20 @@ class SpaceWriter {
     return text;
   }
 
-  std::string body_text(const std::string& name, const Rational& mass, const Inertia& j, const Vector& at,
-                        const Vector& velocity, const Vector& spin) {
+  std::string body_text(const std::string& name, const Body& body) {
     ++result_.bodies;
+    const Inertia& j = body.inertia;
     std::vector<Rational> inertia{j.xx, j.yy, j.zz};
     if (!j.xy.is_zero() || !j.xz.is_zero() || !j.yz.is_zero()) inertia.insert(inertia.end(), {j.xy, j.xz, j.yz});
-    std::string text = fmt::format("\n[[body]]\nname = {}\nmass = {}\ninertia = [{}]\nat = {}\n", toml_string(name),
-                                   toml(mass), listed(inertia, [](const Rational& x) { return toml(x); }), toml(at));
-    if (!is_zero(velocity)) text += "velocity = " + toml(velocity) + "\n";
-    if (!is_zero(spin)) text += "spin = " + toml(spin) + "\n";
+    std::string text = fmt::format("\n[[body]]\nname = {}\nmass = {}\n", toml_string(name), toml(body.mass));
+    if (body.turns) {
+      text += "inertia = [" + listed(inertia, [](const Rational& x) { return toml(x); }) + "]\n";
+    } else {
+      text += "turning = " + toml(Vector{}) + "\n";
+    }
+    text += "at = " + toml(body.at) + "\n";
+    if (!is_zero(body.velocity)) text += "velocity = " + toml(body.velocity) + "\n";
+    if (!is_zero(body.spin)) text += "spin = " + toml(body.spin) + "\n";
     return text;
   }
 
@@ -88,7 +113,7 @@ class SpaceWriter {
       scene_.import_notes.push_back("left out: " + body.name + ", which falls freely: nothing touches or holds it");
       return "";
     }
-    std::string text = body_text(body_names_[i], body.mass, body.inertia, body.at, body.velocity, body.spin);
+    std::string text = body_text(body_names_[i], body);
     std::vector<std::string> shapes;
     for (const Shape& shape : body.shapes) shapes.push_back(shape_text(shape, body.at));
     if (shapes.size() == 1) text += "shape = " + shapes[0] + "\n";
@@ -111,7 +136,7 @@ class SpaceWriter {
     }
     const bool along = shape.kind == Shape::Kind::box && shape.pose.turn.axes == Turn().axes;
     if (along) return fmt::format("{{ box = {}, at = {} }}", toml(Rational(2) * shape.half), toml(at));
-    return "{ hull = [" + listed(polytope_of(shape).corners, [&](const Vector& p) { return toml(p - centre); }) + "] }";
+    return "{ hull = [" + listed(drawn_corners(shape), [&](const Vector& p) { return toml(p - centre); }) + "] }";
   }
 
   Vector in_body(std::size_t body, const Vector& p) const { return body == 0 ? p : p - scene_.bodies[body].at; }
@@ -175,9 +200,12 @@ class SpaceWriter {
     const Vector axis = unit_of(joint.axis);
     const Vector relative = scene_.bodies[joint.second].spin - first.spin;
     const std::string rotor = names_(joint.name + "_rotor");
-    rotors_ +=
-        body_text(rotor, 0, {j, j, j, 0, 0, 0}, joint.at, first.velocity + cross(first.spin, joint.at - first.at),
-                  first.spin + ratio * dot(relative, axis) * axis);
+    Body turning;
+    turning.inertia = {j, j, j, 0, 0, 0};
+    turning.at = joint.at;
+    turning.velocity = first.velocity + cross(first.spin, joint.at - first.at);
+    turning.spin = first.spin + ratio * dot(relative, axis) * axis;
+    rotors_ += body_text(rotor, turning);
     const std::string holder = toml_string(body_names_[joint.first]), axis_text = toml(axis);
     std::string text = fmt::format("\n[[joint]]\nname = {}\nkind = \"hinge\"\nbetween = [{}, {}]\nat = {}\naxis = {}\n",
                                    toml_string(names_(rotor + "_axle")), holder, toml_string(rotor),
@@ -222,6 +250,23 @@ class SpaceWriter {
     return text;
   }
 
+  /// Where all fall freely: each is a metre above a plane, which holds it in the scene.
+  std::string open_contacts() {
+    std::string text;
+    for (std::size_t i = 1; i < scene_.bodies.size(); ++i) {
+      text += fmt::format(
+          "\n[[contact]]\nname = {}\nof = {}\npoint = {}\nnormal = {}\nthrough = {}\nfriction = \"0\"\n"
+          "state = \"open\"\n",
+          toml_string(names_(body_names_[i] + "_above_ground")), toml_string(body_names_[i]), toml(Vector{}),
+          toml(Vector{0, 0, 1}), toml(scene_.bodies[i].at - Vector{0, 0, 1}));
+      held_[i] = true;
+      scene_.import_notes.push_back(body_names_[i] +
+                                    " falls freely: a plane a metre below it, which it does not touch, "
+                                    "holds it in the scene");
+    }
+    return text;
+  }
+
   std::string push(const Push& push) {
     std::string text;
     if (!held_[push.on] && push.on != 0) return text;
@@ -251,6 +296,7 @@ class SpaceWriter {
 
 SpaceMechanism to_space(Scene scene, const SpaceOptions& options) {
   complete(scene, options);
+  join_free_slides(scene);
   if (options.stand) stand_on_ground(scene);
   Mistakes mistakes(scene.file);
   SpaceMechanism result = SpaceWriter(scene, options, mistakes).write();

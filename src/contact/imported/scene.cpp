@@ -111,31 +111,43 @@ void move(Scene& scene, const std::vector<bool>& bodies, const Vector& by) {
   }
 }
 
-void join_planar_chains(Scene& scene) {
-  std::vector<bool> gone(scene.bodies.size()), joint_gone(scene.joints.size());
-  const auto holder = [&](std::size_t body) {
-    return static_cast<std::size_t>(std::ranges::find(scene.joints, body, &Joint::second) - scene.joints.begin());
-  };
-  for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
-    std::vector<std::size_t> chain;
-    for (std::size_t body = i, j; (j = holder(body)) < scene.joints.size(); body = scene.joints[j].first) {
-      chain.push_back(j);
-      if (!scene.bodies[scene.joints[j].first].massless) break;
-    }
-    const auto count = [&](Joint::Kind kind) {
-      return std::ranges::count(chain, kind, [&](std::size_t j) { return scene.joints[j].kind; });
-    };
-    if (scene.bodies[i].massless || chain.size() != 3 || count(Joint::Kind::slide) != 2) continue;
-    if (scene.joints[chain.back()].first != 0 || count(Joint::Kind::hinge) != 1) continue;
-    for (const std::size_t j : chain) joint_gone[j] = true;
-    gone[scene.joints[chain[0]].first] = gone[scene.joints[chain[1]].first] = true;
-    scene.import_notes.push_back(scene.bodies[i].name + " slides along two axes and turns: it is free in their plane");
+namespace {
+
+/// The three joints that hold a body to the ground behind two massless links, from the body on; empty if others do.
+std::vector<std::size_t> chain_of_three(const Scene& scene, std::size_t body) {
+  std::vector<std::size_t> chain;
+  if (scene.bodies[body].massless) return chain;
+  for (;;) {
+    const auto held = std::ranges::find(scene.joints, body, &Joint::second);
+    if (held == scene.joints.end() || chain.size() == 3) return {};
+    chain.push_back(static_cast<std::size_t>(held - scene.joints.begin()));
+    body = held->first;
+    if (!scene.bodies[body].massless) break;
   }
-  std::vector<std::size_t> number(scene.bodies.size());
+  return chain.size() == 3 && body == 0 ? chain : std::vector<std::size_t>();
+}
+
+std::ptrdiff_t slides_in(const Scene& scene, const std::vector<std::size_t>& chain) {
+  return std::ranges::count(chain, Joint::Kind::slide, [&](std::size_t j) { return scene.joints[j].kind; });
+}
+
+/// Takes joints out, and the massless links that only they hold. What pushes the links pushes the body behind them.
+void take_out(Scene& scene, const std::vector<bool>& joint_gone) {
+  std::vector<std::size_t> number(scene.bodies.size()), behind(scene.bodies.size());
+  std::iota(behind.begin(), behind.end(), std::size_t{0});
+  for (std::size_t j = joint_gone.size(); j-- > 0;) {
+    const Joint& joint = scene.joints[j];
+    if (joint_gone[j] && joint.first != 0) behind[joint.first] = behind[joint.second];
+  }
   std::vector<Body> rest;
-  for (std::size_t i = 0; i < gone.size(); ++i) {
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    if (behind[i] != i) continue;
     number[i] = rest.size();
-    if (!gone[i]) rest.push_back(std::move(scene.bodies[i]));
+    rest.push_back(std::move(scene.bodies[i]));
+  }
+  for (std::size_t i = 0; i < number.size(); ++i) number[i] = number[behind[i]];
+  for (Push& push : scene.pushes) {  // what slides exert between links, the ground exerts on the body
+    if (behind[push.back_on] != push.back_on) push.back_on = 0;
   }
   std::vector<Joint> joints;
   for (std::size_t j = 0; j < joint_gone.size(); ++j) {
@@ -144,6 +156,37 @@ void join_planar_chains(Scene& scene) {
   scene.bodies = std::move(rest);
   scene.joints = std::move(joints);
   renumber(scene, number);
+}
+
+}  // namespace
+
+void join_planar_chains(Scene& scene) {
+  std::vector<bool> gone(scene.joints.size());
+  for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
+    const std::vector<std::size_t> chain = chain_of_three(scene, i);
+    if (slides_in(scene, chain) != 2) continue;
+    for (const std::size_t j : chain) gone[j] = true;
+    scene.import_notes.push_back(scene.bodies[i].name + " slides along two axes and turns: it is free in their plane");
+  }
+  take_out(scene, gone);
+}
+
+void join_free_slides(Scene& scene) {
+  std::vector<bool> gone(scene.joints.size());
+  for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
+    const std::vector<std::size_t> chain = chain_of_three(scene, i);
+    if (slides_in(scene, chain) != 3) continue;
+    bool plain = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Joint &joint = scene.joints[chain[k]], &next = scene.joints[chain[(k + 1) % 3]];
+      plain = plain && joint.friction.is_zero() && joint.armature.is_zero() && dot(joint.axis, next.axis).is_zero();
+    }
+    if (!plain) continue;
+    for (const std::size_t j : chain) gone[j] = true;
+    scene.bodies[i].turns = false;
+    scene.import_notes.push_back(scene.bodies[i].name + " slides along three axes: it moves freely, and does not turn");
+  }
+  take_out(scene, gone);
 }
 
 void refuse_what_is_only_in_space(const Scene& scene, Mistakes& mistakes) {
@@ -166,7 +209,7 @@ bool may_touch(const Shape& a, const Shape& b) {
 std::string Identifiers::operator()(const std::string& name) {
   std::string base;
   for (const char c : name) base += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-  if (base.empty() || std::isdigit(static_cast<unsigned char>(base.front())) != 0) base.insert(0, "b_");
+  if (base.empty() || std::isalpha(static_cast<unsigned char>(base.front())) == 0) base.insert(0, "b_");
   std::string result = base;
   for (int i = 2; std::ranges::find(used_, result) != used_.end(); ++i) result = base + "_" + std::to_string(i);
   used_.push_back(result);

@@ -40,6 +40,7 @@ struct Body {
   Vector velocity;  ///< of the centre of mass
   Vector spin;      ///< along the scene's axes
   std::vector<Shape> shapes;
+  bool turns = true;      ///< false: slides hold it as it stands
   bool massless = false;  ///< a link that stands between several joints of one body
   Place place;
 };
@@ -119,6 +120,10 @@ void refuse_what_is_only_in_space(const Scene& scene, Mistakes& mistakes);
 /// A body that two slides and a hinge hold to the ground is free in a plane: takes the joints and the massless links
 /// between them out, with a note.
 void join_planar_chains(Scene& scene);
+
+/// A body that three slides along axes across each other hold to the ground moves freely, but does not turn: takes the
+/// slides out, with a note, if they have neither friction nor an armature.
+void join_free_slides(Scene& scene);
 
 /// True if a joint connects two moving bodies, or the file excludes the pair. Their shapes then do not touch, as in the
 /// engines of the formats; a body joined to the ground may touch it.

@@ -116,7 +116,7 @@ TEST_CASE("a hull of the corners of a box touches where the box does") {
   }
   hull.triangles = {{0, 1, 3}, {0, 3, 2}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
                     {2, 3, 7}, {2, 7, 6}, {0, 2, 6}, {0, 6, 4}, {1, 3, 7}, {1, 7, 5}};
-  CHECK(imported::polytope_of(hull).faces.size() == 6);
+  CHECK(imported::polytope_of(hull).sides.size() == 6);
   CHECK(imported::polytope_of(hull).edges.size() == 12);
   const auto expected = points_of(upper, lower), found = points_of(hull, lower);
   CHECK(expected.size() == 4);

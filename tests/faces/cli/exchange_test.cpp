@@ -38,6 +38,23 @@ TEST_CASE("the shipped scenes of other programs are imported, told about and sol
   CHECK(Json::parse(run({"solve", "--json", out}).out)["motions"][0]["forces"]["N_rear_touch"] == "60");
 }
 
+TEST_CASE("shipped scenes of other programs are imported in space and solved") {
+  if (!has_parsers()) return;
+  const TemporaryFolder folder;
+  const std::string out = folder.path() / "scene.toml";
+  const auto stool = run({"import", imported + "stool.xml", "--space", "-o", out});
+  CHECK(stool.out == "s IMPORTED " + out + " bodies 2 contacts 7 in space\n");
+  const auto solved = run({"solve", "--json", out});
+  CHECK(solved.exit_code == 0);
+  CHECK(Json::parse(solved.out)["complete"] == true);
+  CHECK(run({"import", imported + "biped.xml", "--space", "--key", "walks", "-o", out}).exit_code == 0);
+  CHECK(run({"import", imported + "biped.xml", "--space", "--key", "runs", "-o", out}).err.find("walks") !=
+        std::string::npos);
+  CHECK(run({"import", imported + "biped.xml", "-o", out}).err.find("found an armature") != std::string::npos);
+  CHECK(run({"import", imported + "cart.xml", "--space", "--spatial", "-o", out}).exit_code == 2);
+  CHECK(run({"import", imported + "cart.xml", "--stand", "-o", out}).exit_code == 2);
+}
+
 TEST_CASE("what a scene does not say is asked for, and nothing is lost") {
   if (!has_parsers()) return;
   const TemporaryFolder folder;

@@ -106,34 +106,35 @@ class Pair {
   }
 
   /// The face of one shape from which the other is farthest, or least inside.
-  static const Face* best_face(const Solid& of, const Solid& on) {
+  static const Polytope::Side* best_side(const Solid& of, const Solid& on) {
     if (of.shape->kind == Kind::plane) return nullptr;
     const double round = nearest_binary64(reach(of));
-    const Face* best = nullptr;
+    const Polytope::Side* best = nullptr;
     double greatest = 0;
-    for (std::size_t i = 0; i < on.sides.size(); ++i) {
-      const auto& [n, offset] = on.sides[i];
-      const double least = dot(of.core.farthest({-n[0], -n[1], -n[2]}), n) - round - offset;
-      if (best == nullptr || least > greatest + 1e-12) best = &on.faces.faces[i], greatest = least;
+    for (const Polytope::Side& side : on.faces.sides) {
+      const auto& n = side.normal;
+      const double least = dot(of.core.farthest({-n[0], -n[1], -n[2]}), n) - round - side.offset;
+      if (best == nullptr || least > greatest + 1e-12) best = &side, greatest = least;
     }
     return best;
   }
 
   /// Points of one shape on the faces of another: on the face that keeps them apart best, if one does.
   void on_faces(const Solid& of, const Solid& on, bool swapped) {
-    const Face* best = best_face(of, on);
-    if (best == nullptr) return;
-    const std::vector<Lowest> points = lowest(of, *best);
+    const Polytope::Side* side = best_side(of, on);
+    if (side == nullptr) return;
+    const Face best = on.faces.face(*side);
+    const std::vector<Lowest> points = lowest(of, best);
     if (points.empty()) return;
-    Rational greatest = best->distance(points.front().at);
-    for (const Lowest& p : points) greatest = std::min(greatest, best->distance(p.at));
+    Rational greatest = best.distance(points.front().at);
+    for (const Lowest& p : points) greatest = std::min(greatest, best.distance(p.at));
     inside_ = inside_ || greatest < -touch_;
     if (greatest > touch_ || greatest < -touch_) return;
-    if (is_flat(*of.shape)) return flat_on(of, *best, swapped);
+    if (is_flat(*of.shape)) return flat_on(of, best, swapped);
     for (const Lowest& p : points) {
-      const Rational distance = best->distance(p.at);
-      if (distance > touch_ || !best->holds(p.at, touch_)) continue;
-      found_.push_back({swapped, p.at - distance * best->normal, best->normal, distance, p.radius, {}, p.only_at_rest});
+      const Rational distance = best.distance(p.at);
+      if (distance > touch_ || !best.holds(p.at, touch_)) continue;
+      found_.push_back({swapped, p.at - distance * best.normal, best.normal, distance, p.radius, {}, p.only_at_rest});
     }
   }
 
@@ -221,12 +222,8 @@ class Pair {
 }  // namespace
 
 Solid solid_of(const Shape& shape) {
-  Solid solid{&shape, polytope_of(shape), {}, {}};
+  Solid solid{&shape, polytope_of(shape), {}};
   if (shape.kind != Kind::plane) solid.core = core_of(shape, solid.faces);
-  for (const Face& face : solid.faces.faces) {
-    const Near normal = near(face.normal);
-    solid.sides.push_back({normal, dot(normal, near(face.through))});
-  }
   return solid;
 }
 
@@ -241,7 +238,7 @@ std::optional<Rational> least_along(const Shape& shape, const Vector& normal) {
   face.unlimited = true;
   Solid solid;
   solid.shape = &shape;
-  if (is_flat(shape)) solid.faces = polytope_of(shape);
+  solid.faces.corners = corners_of(shape);
   std::optional<Rational> least;
   for (const Lowest& p : lowest(solid, face)) {
     const Rational here = dot(p.at, normal);

@@ -14,11 +14,6 @@ struct Solid {
   const Shape* shape = nullptr;
   Polytope faces;
   Core core;
-  struct Side {
-    Near normal{};
-    double offset = 0;
-  };
-  std::vector<Side> sides;  ///< of the faces
 };
 Solid solid_of(const Shape& shape);
 

@@ -20,18 +20,20 @@ Vector inwards(const Face& face, const Vector& a, const Vector& b) {
   return cross(face.normal, b - a);
 }
 
+Polytope::Side side_of(Face face) {
+  Polytope::Side side;
+  side.normal = near(face.normal);
+  side.offset = dot(side.normal, near(face.through));
+  side.face = std::move(face);
+  return side;
+}
+
 Polytope box(const Shape& shape) {
   Polytope result;
-  const auto corner = [&](int x, int y, int z) {
-    return shape.pose(Vector{x * shape.half.x, y * shape.half.y, z * shape.half.z});
-  };
-  for (int bits = 0; bits < 8; ++bits) {
-    const auto sign = [&](int bit) { return (bits & bit) != 0 ? 1 : -1; };
-    result.corners.push_back(corner(sign(1), sign(2), sign(4)));
-    for (const int bit : {1, 2, 4}) {  // the edge to the neighbour in front
-      if ((bits & bit) != 0) continue;
-      const auto other = [&](int at) { return ((bits | bit) & at) != 0 ? 1 : -1; };
-      result.edges.push_back({result.corners.back(), corner(other(1), other(2), other(4))});
+  result.corners = corners_of(shape);
+  for (std::size_t bits = 0; bits < 8; ++bits) {
+    for (const std::size_t bit : {1U, 2U, 4U}) {
+      if ((bits & bit) == 0) result.edges.push_back({result.corners[bits], result.corners[bits | bit]});
     }
   }
   const auto& axes = shape.pose.turn.axes;
@@ -43,7 +45,7 @@ Polytope box(const Shape& shape) {
       face.through = shape.pose.at + shape.half[i] * face.normal;
       const Vector a = shape.half[j] * axes[j], b = Rational(side) * shape.half[k] * axes[k];
       face.corners = {face.through - a - b, face.through + a - b, face.through + a + b, face.through - a + b};
-      result.faces.push_back(std::move(face));
+      result.sides.push_back(side_of(std::move(face)));
     }
   }
   return result;
@@ -51,10 +53,11 @@ Polytope box(const Shape& shape) {
 
 Polytope plane(const Shape& shape) {
   Polytope result;
-  result.faces.resize(1);
-  result.faces[0].through = shape.pose.at;
-  result.faces[0].normal = shape.pose.turn.axes[2];
-  result.faces[0].unlimited = true;
+  Face face;
+  face.through = shape.pose.at;
+  face.normal = shape.pose.turn.axes[2];
+  face.unlimited = true;
+  result.sides.push_back(side_of(std::move(face)));
   return result;
 }
 
@@ -65,7 +68,7 @@ Polytope cylinder(const Shape& shape) {
     face.normal = Rational(side) * shape.pose.turn.axes[2];
     face.through = shape.pose.at + shape.half_length * face.normal;
     face.disc = shape.radius;
-    result.faces.push_back(std::move(face));
+    result.sides.push_back(side_of(std::move(face)));
   }
   return result;
 }
@@ -83,7 +86,7 @@ Vector on_rim(const Face& face, const Vector& a, const Vector& b) {
 class HullFaces {
  public:
   explicit HullFaces(const Shape& shape) : triangles_(shape.triangles), group_(shape.triangles.size()) {
-    for (const Vector& p : shape.points) result_.corners.push_back(shape.pose(p));
+    result_.corners = corners_of(shape);
     for (const Vector& p : result_.corners) places_.push_back(near(p));
     std::iota(group_.begin(), group_.end(), std::size_t{0});
   }
@@ -147,17 +150,18 @@ class HullFaces {
       const auto area = [&](std::size_t t) { return dot(normal(t), normal(t)); };
       const std::size_t largest = *std::ranges::max_element(all, {}, area);
       if (area(largest) == 0) continue;
-      Face face;
-      face.normal = unit_near(normal(largest));
-      face.through = result_.corners[triangles_[largest][0]];
-      std::vector<std::size_t> corners;
-      for (const std::size_t t : all) corners.insert(corners.end(), triangles_[t].begin(), triangles_[t].end());
-      std::ranges::sort(corners);
-      corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-      std::vector<Vector> points;
-      for (const std::size_t corner : corners) points.push_back(result_.corners[corner]);
-      face.corners = corners_of_polygon(points, face.normal);
-      result_.faces.push_back(std::move(face));
+      Polytope::Side side;
+      side.normal = normal(largest);
+      const double length = std::sqrt(dot(side.normal, side.normal));
+      for (double& x : side.normal) x /= length;
+      const std::size_t first = triangles_[largest][0];
+      side.offset = dot(side.normal, places_[first]);
+      for (const std::size_t t : all)
+        side.corners.insert(side.corners.end(), triangles_[t].begin(), triangles_[t].end());
+      std::ranges::sort(side.corners);
+      side.corners.erase(std::unique(side.corners.begin(), side.corners.end()), side.corners.end());
+      std::iter_swap(side.corners.begin(), std::ranges::find(side.corners, first));
+      result_.sides.push_back(std::move(side));
     }
   }
 
@@ -208,6 +212,29 @@ std::vector<Vector> Face::clip(std::vector<Vector> polygon) const {
     polygon = std::move(rest);
   }
   return polygon;
+}
+
+Face Polytope::face(const Side& side) const {
+  if (side.face) return *side.face;
+  Face face;
+  face.normal = unit_near(side.normal);
+  face.through = corners[side.corners.front()];
+  std::vector<Vector> points;
+  for (const std::size_t corner : side.corners) points.push_back(corners[corner]);
+  face.corners = corners_of_polygon(points, face.normal);
+  return face;
+}
+
+std::vector<Vector> corners_of(const Shape& shape) {
+  std::vector<Vector> result;
+  if (shape.kind == Shape::Kind::hull) {
+    for (const Vector& p : shape.points) result.push_back(shape.pose(p));
+  }
+  for (int bits = 0; shape.kind == Shape::Kind::box && bits < 8; ++bits) {
+    const auto sign = [&](int bit) { return Rational((bits & bit) != 0 ? 1 : -1); };
+    result.push_back(shape.pose(Vector{sign(1) * shape.half.x, sign(2) * shape.half.y, sign(4) * shape.half.z}));
+  }
+  return result;
 }
 
 Polytope polytope_of(const Shape& shape) {

@@ -37,10 +37,23 @@ struct Face {
 };
 
 struct Polytope {
+  /// A face in binary64, with its outer normal of length 1, and what it is made of.
+  struct Side {
+    Near normal{};
+    double offset = 0;  ///< of its points, along the normal
+    std::optional<Face> face;
+    std::vector<std::size_t> corners;  ///< without a face: those of a hull, the first on the face
+  };
   std::vector<Vector> corners;
-  std::vector<Face> faces;
+  std::vector<Side> sides;
   std::vector<std::array<Vector, 2>> edges;
+
+  /// A face in rationals, which takes time for that of a hull.
+  Face face(const Side& side) const;
 };
+
+/// The corners of a box or a hull in the scene; none for other shapes.
+std::vector<Vector> corners_of(const Shape& shape);
 
 /// The faces, edges and corners of a shape in the scene: of a cylinder its two ends, of other round shapes none. Faces
 /// of a hull whose corners lie within a millionth of its size of one plane are one. Cubic in the number of corners of a

@@ -21,7 +21,12 @@ class SceneContacts {
         mistakes_(mistakes),
         notes_(import_notes),
         trees_(trees_of(scene)),
-        overlaps_(overlaps) {}
+        on_ground_(scene.bodies.size()),
+        overlaps_(overlaps) {
+    for (const Joint& joint : scene.joints) {
+      if (joint.first == 0 || joint.second == 0) on_ground_[trees_[std::max(joint.first, joint.second)]] = true;
+    }
+  }
 
   std::vector<SpatialContact> find() {
     for_each_pair(scene_, [&](std::size_t i, const Shape& a, std::size_t j, const Shape& b) { pair(i, a, j, b); });
@@ -45,7 +50,8 @@ class SceneContacts {
       }
     }
     if (why.empty()) return;
-    const bool of_one = i != 0 && j != 0 && trees_[i] == trees_[j];
+    // What stands still belongs to the robots that joints hold to it.
+    const bool of_one = i == 0 ? a.kind != Shape::Kind::plane && on_ground_[trees_[j]] : trees_[i] == trees_[j];
     if (overlaps_ == Overlaps::left_out || (overlaps_ == Overlaps::within_one_robot && of_one)) {
       notes_.push_back(b.name + " and " + a.name + (of_one ? " of one robot " : " ") + why +
                        ": no contact between them");
@@ -111,6 +117,7 @@ class SceneContacts {
   Mistakes& mistakes_;
   std::vector<std::string>& notes_;
   std::vector<std::size_t> trees_;
+  std::vector<bool> on_ground_;  ///< trees that a joint holds to the ground
   Overlaps overlaps_;
   std::map<const Shape*, Solid> solids_;
   std::vector<const Shape*> rims_;

@@ -62,7 +62,23 @@ class ModelFiles {
     visit(file, file.root());
   }
 
+  /// Leaves the attributes of a tag that say what the scene is; others say how it is computed, and later versions of
+  /// MuJoCo have ones that this one does not know.
+  static void keep_attributes(pugi::xml_node node, const std::vector<std::string_view>& kept) {
+    for (pugi::xml_attribute one = node.first_attribute(), next; one; one = next) {
+      next = one.next_attribute();
+      if (std::ranges::find(kept, std::string_view(one.name())) == kept.end()) node.remove_attribute(one);
+    }
+  }
+
   void visit(TaggedFile& file, pugi::xml_node node) {
+    const std::string_view own = node.name();
+    if (own == "option") keep_attributes(node, words_of("gravity density viscosity wind timestep"));
+    if (own == "flag") {
+      keep_attributes(node,
+                      words_of("constraint equality frictionloss limit contact passive gravity clampctrl actuation "
+                               "filterparent"));
+    }
     node.remove_attribute("material");
     for (pugi::xml_node child = node.first_child(), next; child; child = next) {
       next = child.next_sibling();
@@ -70,7 +86,9 @@ class ModelFiles {
       const std::string_view tag = child.name();
       if (tag == "include") {
         include(file, child);
-      } else if (tag == "compiler") {
+        continue;
+      }
+      if (tag == "compiler") {
         has_auto_limits_ = has_auto_limits_ || child.attribute("autolimits");
         for (const char* name : {"meshdir", "texturedir"}) {
           if (std::string_view(name) == "meshdir" && child.attribute(name))
@@ -95,6 +113,7 @@ class ModelFiles {
       included_.emplace_back(read_text_file(path, max_size), path.string());
       node.attribute("file") = included_name(included_.size() - 1).c_str();
       take(included_.back());
+      if (!included_.back().root().first_child()) node.parent().remove_child(node);  // only what is seen
     } catch (const std::exception& error) {  // of another type beyond this module
       mistakes_.add(file.place(node), std::string("found an included file that cannot be read: ") + error.what());
     }
