@@ -280,9 +280,9 @@ class Velocities {
 
   /// Its numerator has no root; factors that domains keep from 0 say nothing.
   void must_be_determined(const Quotient& determinant) {
-    const MultiPolynomial numerator = quotients_.on_circles(determinant).over;
+    const Factorization numerator = quotients_.factored(Quotients::shortened(determinant)).over;
     Expression product = make_number(1);
-    for (const auto& [factor, exponent] : numerator.factors().factors) {
+    for (const auto& [factor, exponent] : numerator.factors) {
       const Expression value = read_back(factor);
       if (sure_signs(mechanism_, value).zero) product = times(product, value);
     }
