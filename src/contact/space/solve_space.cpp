@@ -100,7 +100,9 @@ class MotionReader {
   void add_state(SpaceMotion& motion, std::size_t k, const std::string& state, const FoundSolution& found) const {
     const SpaceContact& contact = p_.contacts[k];
     std::string& mode = motion.modes[contact.contact];
-    mode = state != "closed" ? state : contact.sliding ? "slip" : contact.mu.is_zero() ? "touch" : "slip";
+    const auto is_zero = [&](std::size_t i) { return found.u[i].is_point() && found.u[i].lower->is_zero(); };
+    const bool at_rest = !contact.sliding && is_zero(3 * k + 1) && is_zero(3 * k + 2);
+    mode = state == "closed" ? (contact.sliding ? "slip" : "touch") : state == "slip" && at_rest ? "stick" : state;
     if (mode != "slip") return;
     std::optional<Range>& angle = motion.slips[contact.contact];
     if (contact.sliding) {

@@ -21,7 +21,8 @@ class SpaceProblemMaker {
 
   SpaceProblem problem() {
     if (m_.load && !scene_.load) {
-      mistakes_.add({}, "found no value of the load " + m_.load->symbol + ", expected one: a scene in space has one");
+      mistakes_.add(m_.load->place,
+                    "found no value of the load " + m_.load->symbol + ", expected one: a scene in space has one");
       mistakes_.refuse_if_any();
     }
     result_.global.title = scene_.name.empty() ? m_.name : scene_.name;
@@ -126,114 +127,10 @@ class SpaceProblemMaker {
   SpaceProblem result_;
 };
 
-/// The unknowns v and lambda as affine functions of r: M v - G lambda = H r + f and G^T v = -b, reduced.
-class Elimination {
- public:
-  Elimination(const SpaceProblem& problem, const Mechanism& mechanism)
-      : p_(problem.global), m_(mechanism), v_(p_.f.size()), held_(p_.b.size()), r_(p_.w.size()) {
-    RationalMatrix rows(v_ + held_, std::vector<Rational>(v_ + held_ + r_ + 1));
-    for (std::size_t i = 0; i < v_; ++i) {
-      for (std::size_t j = 0; j < v_; ++j) rows[i][j] = p_.M[i][j];
-      for (std::size_t j = 0; j < held_; ++j) {
-        rows[i][v_ + j] = -p_.G[i][j];
-        rows[v_ + j][i] = p_.G[i][j];
-      }
-      for (std::size_t j = 0; j < r_; ++j) rows[i][v_ + held_ + j] = p_.H[i][j];
-      rows[i].back() = p_.f[i];
-    }
-    for (std::size_t j = 0; j < held_; ++j) rows[v_ + j].back() = -p_.b[j];
-    echelon_ = eliminate(rows);
-  }
-
-  ReducedSpace result() {
-    const std::size_t unknowns = v_ + held_;
-    if (echelon_.rank() > echelon_.rank(unknowns)) refuse_contradiction();
-    row_of_.assign(unknowns, std::nullopt);
-    for (std::size_t i = 0; i < echelon_.rank(); ++i) row_of_[echelon_.pivot_columns[i]] = i;
-    ReducedSpace result;
-    for (std::size_t j = 0; j < unknowns; ++j) {
-      const bool known = is_determined(j);
-      if (j < v_ && !known) refuse_free(j);
-      if (j >= v_) result.determined.push_back(known);
-      std::vector<Rational> over(r_);
-      for (std::size_t k = 0; k < r_ && row_of_[j]; ++k) over[k] = entry(j, unknowns + k);
-      (j < v_ ? result.V : result.L).push_back(std::move(over));
-      (j < v_ ? result.v0 : result.l0).push_back(row_of_[j] ? entry(j, unknowns + r_) : Rational(0));
-    }
-    return result;
-  }
-
- private:
-  Rational entry(std::size_t unknown, std::size_t column) const {
-    return {echelon_.rows[*row_of_[unknown]][column], echelon_.pivot};
-  }
-  /// By a row in which no unknown stands that may be anything.
-  bool is_determined(std::size_t unknown) const {
-    if (!row_of_[unknown]) return false;
-    for (std::size_t j = 0; j < v_ + held_; ++j) {
-      if (!row_of_[j] && !echelon_.rows[*row_of_[unknown]][j].is_zero()) return false;
-    }
-    return true;
-  }
-  [[noreturn]] void refuse(Place place, const std::string& message) const {
-    throw InputError({{m_.file, place.line, place.column, message}});
-  }
-  [[noreturn]] void refuse_contradiction() const {
-    refuse({},
-           "found joints that no accelerations satisfy: they contradict each other, or force a prescribed motion, "
-           "expected joints that fit");
-  }
-  [[noreturn]] void refuse_free(std::size_t unknown) const {
-    const MechanismUnknown& one = m_.unknowns[unknown];
-    refuse(one.place, "found that neither a mass nor an inertia nor a joint determines " + one.symbol +
-                          ", expected bodies that forces move in one way");
-  }
-
-  const GlobalProblem& p_;
-  const Mechanism& m_;
-  std::size_t v_, held_, r_;
-  Echelon echelon_;
-  std::vector<std::optional<std::size_t>> row_of_;  ///< of each unknown that is a pivot
-};
-
-/// Column N of a contact that slides becomes N - mu (d1 T1 + d2 T2), and T1 and T2 are none.
-void slide(RationalMatrix& matrix, const std::vector<SpaceContact>& contacts) {
-  for (auto& row : matrix) {
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
-      if (!contacts[k].sliding) continue;
-      const auto& d = *contacts[k].sliding;
-      row[3 * k] -= contacts[k].mu * (d[0] * row[3 * k + 1] + d[1] * row[3 * k + 2]);
-      row[3 * k + 1] = row[3 * k + 2] = 0;
-    }
-  }
-}
-
 }  // namespace
 
 SpaceProblem space_problem(const MechanismScene& scene) {
   return SpaceProblemMaker(scene).problem();
-}
-
-ReducedSpace reduced(const SpaceProblem& problem, const Mechanism& mechanism) {
-  ReducedSpace result = Elimination(problem, mechanism).result();
-  slide(result.V, problem.contacts);
-  slide(result.L, problem.contacts);
-  const GlobalProblem& p = problem.global;
-  ExactContacts& contacts = result.contacts;
-  contacts.W.assign(p.w.size(), std::vector<Rational>(p.w.size()));
-  contacts.q = p.w;
-  for (const SpaceContact& one : problem.contacts) contacts.mu.push_back(one.sliding ? Rational(0) : one.mu);
-  for (std::size_t v = 0; v < result.V.size(); ++v) {
-    for (std::size_t i = 0; i < p.w.size(); ++i) {
-      const Rational& weight = p.H[v][i];
-      if (weight.is_zero()) continue;
-      for (std::size_t j = 0; j < p.w.size(); ++j) {
-        if (!result.V[v][j].is_zero()) contacts.W[i][j] += weight * result.V[v][j];
-      }
-      contacts.q[i] += weight * result.v0[v];
-    }
-  }
-  return result;
 }
 
 GlobalProblem exported(const SpaceProblem& problem, const Mechanism& mechanism) {

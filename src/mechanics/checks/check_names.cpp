@@ -40,6 +40,7 @@ class UsedSymbols {
  private:
   void add(const MechanismContact& contact) {
     add({contact.gap, contact.slip, contact.static_friction, contact.kinetic_friction});
+    if (contact.second) add(contact.second->slip);
     for (const auto* pair : {&contact.at, &contact.direction, &contact.slip_direction}) add(*pair);
   }
   void add(const std::vector<PlacedExpression>& all) {

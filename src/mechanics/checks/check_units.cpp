@@ -80,6 +80,7 @@ class UnitCheck {
     check_force(contact.normal, walk(contact.gap), contact.gap_name);
     const InferredUnit slip = walk(contact.slip);
     if (contact.tangent) check_force(*contact.tangent, slip, contact.slip_name);
+    if (contact.second) check_force(contact.second->force, walk(contact.second->slip), contact.second->name);
     const PlacedExpression& coefficient = contact.static_friction;
     const InferredUnit unit = walk(coefficient);
     if (coefficient && unit.unit && !(*unit.unit == Unit())) {

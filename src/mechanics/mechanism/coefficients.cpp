@@ -17,6 +17,7 @@ std::vector<Expression> coefficients(const Mechanism& mechanism) {
   for (const MechanismContact& contact : mechanism.contacts) {
     add_form(contact.gap_form);
     add_form(contact.slip_form);
+    if (contact.second) add_form(contact.second->form);
     add(contact.static_friction.expression);
     add(contact.kinetic_friction.expression);
   }

@@ -83,6 +83,7 @@ class UseCheck {
   void check(MechanismContact& contact) {
     one(contact.gap, "gap", motion);
     one(contact.slip, "slip", motion);
+    if (contact.second) one(contact.second->slip, "slip", motion);
     two(contact.static_friction, contact.kinetic_friction, "friction", derived);
     all(contact.at, "at");
     all(contact.direction, "direction");
@@ -230,6 +231,7 @@ std::set<std::string> symbols_of_motion(const Mechanism& mechanism) {
   for (const MechanismContact& contact : mechanism.contacts) {
     collect(contact.gap, used);
     collect(contact.slip, used);
+    if (contact.second) collect(contact.second->slip, used);
   }
   for (const MechanismFriction& friction : mechanism.friction) collect(friction.slip, used);
   for (const MechanismLink& link : mechanism.links) collect(link.zero, used);

@@ -46,7 +46,8 @@ class SpaceText {
   void write(Document& document, const SpaceMotion& motion) const {
     Document& below = document.section(mode_of(motion) + (motion.strict ? "  (strict)" : ""));
     if (motion.others_within) {
-      below.line("others may be near, whose gaps and slips differ by at most " + number_text(*motion.others_within, 2));
+      below.line("others may be near, whose gaps and slips differ by at most " +
+                 decimal_text(*motion.others_within, 2));
     } else if (!motion.unique) {
       below.line("one of a continuum of motions");
     }

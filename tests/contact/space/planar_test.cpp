@@ -56,8 +56,8 @@ void compare(const Mechanism& planar, const MotionAtLoad& motion, const Mechanis
 }  // namespace
 
 TEST_CASE("planar scenes put into space have the same motion") {
-  const std::size_t wanted = test::how_many<std::size_t>("SLIPPROOF_SCENES_IN_SPACE", 2);
-  std::size_t compared = 0, mechanisms = 0;
+  const std::size_t wanted = test::how_many<std::size_t>("SLIPPROOF_SCENES_IN_SPACE", 10);
+  std::size_t compared = 0, mechanisms = 0, tried = 0;
   for (const auto& entry : std::filesystem::directory_iterator(SLIPPROOF_SOURCE_DIR "/cases/mechanisms/bodies")) {
     if (entry.path().extension() != ".toml") continue;
     CAPTURE(entry.path().string());
@@ -75,13 +75,14 @@ TEST_CASE("planar scenes put into space have the same motion") {
       const MotionsAtLoad found = motions_of(maker.problem(values), scene.load);
       const MotionAtLoad* motion = only_motion(found);
       if (motion == nullptr) continue;
+      ++tried;
       const SolvedSpace solved = solve_space(scene);
       if (!solved.complete() || solved.motions.size() != 1) continue;
       compare(planar, *motion, spatial, solved.motions.front());
       ++compared;
     }
   }
-  MESSAGE(compared << " scenes of " << mechanisms << " mechanisms");
-  CHECK(mechanisms >= 8);
-  CHECK(compared >= mechanisms);
+  CHECK(mechanisms >= 12);
+  CHECK(compared >= 10 * wanted);
+  CHECK(compared > tried * 9 / 10);  // where bodies may leave the plane, there may be other motions
 }

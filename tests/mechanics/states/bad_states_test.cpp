@@ -63,10 +63,10 @@ TEST_CASE("the same velocities follow from joints, bodies, points and what is gi
 TEST_CASE("in space the freedoms that are left are named, and no joint has friction") {
   const std::string leg = read_text_file(SLIPPROOF_SOURCE_DIR "/cases/mechanisms/linkages/hinge-chain.toml");
   const auto messages = [](const std::string& text) {
-    return test::said({.text = text}, [](const std::string& one) { parse_mechanism(one, "leg.toml"); });
+    return test::said({"", text, {}, 3}, [](const std::string& one) { parse_mechanism(one, "leg.toml"); });
   };
   const std::string open =
-      ": state: 1 freedom is left: the spin of shin about x is not determined, expected one more number";
+      ": state: 1 freedom is left: the spin of shin about y is not determined, expected one more number";
   const auto said = messages(replaced(leg, "knee.rate = \"q\"\n", ""));
   REQUIRE(said.size() == 1);
   CHECK(said[0].ends_with(open));

@@ -112,6 +112,10 @@ class BodyListReader : public BodyParts {
     if (value == nullptr) return;
     if (value->kind == TomlValue::Kind::array && value->items.size() == 4) {
       for (std::size_t i = 0; i < 4; ++i) body.quaternion[i] = folded_number(value->items[i], "turn");
+      const auto is_zero = [](const PlacedExpression& part) { return part && is_literal_zero(part.expression); };
+      if (std::ranges::all_of(body.quaternion, is_zero)) {
+        table.refuse("turn", "found a quaternion of length 0, expected w x y z such as [\"1\", \"0\", \"0\", \"0\"]");
+      }
     } else if (value->kind == TomlValue::Kind::table) {
       static constexpr std::array<std::string_view, 2> keys{"axis", "angle"};
       const TableReader turn(*value, "turn", keys, context_.mistakes);
