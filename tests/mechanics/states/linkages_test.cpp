@@ -7,7 +7,9 @@
 #include "base/input/text_file.hpp"
 #include "mechanics/bodies/bodies.hpp"
 #include "mechanics/checks/checks.hpp"
+#include "mechanics/kernel/motions.hpp"
 #include "mechanics/reading/read_mechanism.hpp"
+#include "mechanics/scene/scene.hpp"
 #include "mechanics/states/same_mechanism.hpp"
 #include "support/replaced.hpp"
 
@@ -132,6 +134,28 @@ TEST_CASE("a plate moves below the tip of a four-bar as the rate of the crank sa
   at_length = replaced(at_length, "by = \"rail\"\ndisplacement = \"a*s1 + b*s2/2 + e*s2 - h*c2\"\n",
                        "at = [\"0\", \"a*s1 + b*s2/2 + e*s2 - h*c2\"]\nvelocity = [\"0\", \"" + plate + "\"]\n");
   check_same_mechanism(bars, linkage(at_length));
+}
+
+TEST_CASE("linkages change their motions where the page says") {
+  struct Change {
+    std::string scene;
+    Rational load;
+    std::string below, above;
+  };
+  const Rational near(1, 100000);
+  for (const Change& one : {Change{"finger", Rational(39666979) / 5780000000, "slip+", "lift"},
+                            Change{"crank-slider", Rational(580193, 18688), "slip-~/slip-~", "slip-/slip-"},
+                            Change{"four-bar", Rational(-1562133707447) / 42716362500, "lift", "slip-"}}) {
+    CAPTURE(one.scene);
+    const auto scene = read_scene(SLIPPROOF_SOURCE_DIR "/cases/mechanisms/linkages/scenes/" + one.scene + ".toml");
+    CHECK(check_mechanism(scene.mechanism).empty());
+    const FrictionProblem problem = friction_problem(scene.mechanism, scene.values);
+    for (const bool above : {false, true}) {
+      const MotionsAtLoad found = motions_of(problem, above ? one.load + near : one.load - near);
+      REQUIRE(found.motions.size() == 1);
+      CHECK(equal_modes(found.motions.front().modes) == (above ? one.above : one.below));
+    }
+  }
 }
 
 TEST_CASE("a leg of two hinges in space moves as the rates of its hinges say") {
