@@ -38,6 +38,24 @@ Factorization factors_of(const MultiPolynomial& p) {
   return p.length() > longest ? p.as_irreducible() : p.factors();
 }
 
+auto find_factor(Factorization& product, const MultiPolynomial& factor) {
+  return std::ranges::find(product.factors, factor, &std::pair<MultiPolynomial, unsigned>::first);
+}
+
+/// product * by^exponent
+void multiply(Factorization& product, const Factorization& by, unsigned exponent) {
+  if (exponent == 0) return;
+  for (unsigned i = 0; i < exponent; ++i) product.constant *= by.constant;
+  for (const auto& [factor, power] : by.factors) {
+    const auto known = find_factor(product, factor);
+    if (known == product.factors.end()) {
+      product.factors.emplace_back(factor, power * exponent);
+    } else {
+      known->second += power * exponent;
+    }
+  }
+}
+
 /// The factors without their constant, which another one replaces.
 Expression product_of_factors(const Factorization& product, const Rational& constant) {
   Expression result = make_number(constant);
@@ -109,10 +127,69 @@ Quotient Quotients::on_circles(Quotient x) const {
   return shortened(x);
 }
 
+/// Of p/(1 + t^2)^n for each angle, where n, the least one, is added to `circles`. Factors of an odd degree are taken
+/// together, or squared, so that n is no larger than for p as a whole.
+Factorization Quotients::factors_on_circles(const MultiPolynomial& p, std::vector<std::size_t>& circles) const {
+  const Factorization whole = factors_of(p);
+  Factorization result{whole.constant, {}};
+  const auto add = [&](MultiPolynomial factor, unsigned exponent) {
+    for (std::size_t i = 0; i < circles.size(); ++i) {
+      const std::size_t n = (factor.degree(half_turn(i)) + 1) / 2;
+      circles[i] += n * exponent;
+      factor = on_circle(factor, i, n);
+    }
+    multiply(result, factors_of(factor), exponent);
+  };
+  MultiPolynomial odd(ring_, 1);
+  for (const auto& [factor, exponent] : whole.factors) {
+    bool even = true;
+    for (std::size_t i = 0; i < circles.size(); ++i) even = even && factor.degree(half_turn(i)) % 2 == 0;
+    if (even) {
+      add(factor, exponent);
+    } else {
+      if (exponent > 1) add(factor * factor, exponent / 2);
+      if (exponent % 2 != 0) odd *= factor;
+    }
+  }
+  add(odd, 1);
+  return result;
+}
+
+/// Where `from` is a cosine and `to` the sine of its angle, or the other way: -to^2 for (from - 1) (from + 1).
+void Quotients::put_squares(Factorization& product, std::size_t from, std::size_t to) const {
+  const MultiPolynomial one(ring_, 1), x = MultiPolynomial::variable(ring_, from);
+  const auto less = find_factor(product, x - one), more = find_factor(product, x + one);
+  if (less == product.factors.end() || more == product.factors.end()) return;
+  const unsigned common = std::min(less->second, more->second);
+  less->second -= common;
+  more->second -= common;
+  if (common % 2 != 0) product.constant = -product.constant;
+  std::erase_if(product.factors, [](const auto& entry) { return entry.second == 0; });
+  multiply(product, {1, {{MultiPolynomial::variable(ring_, to), 2}}}, common);
+}
+
+Quotients::Factored Quotients::factored(const Quotient& x) const {
+  std::vector<std::size_t> above(mechanism_.angles.size()), below(above.size());
+  Factored result{factors_on_circles(x.over, above), factors_on_circles(x.under, below)};
+  for (std::size_t i = 0; i < above.size(); ++i) {
+    const std::size_t cosine = circles_ + 2 * i, sine = cosine + 1;
+    // 1/(1 + t^2) = (1 + cos)/2
+    const Factorization circle{{1, 2}, {{MultiPolynomial::variable(ring_, cosine) + MultiPolynomial(ring_, 1), 1}}};
+    const std::size_t common = std::min(above[i], below[i]);
+    multiply(result.over, circle, static_cast<unsigned>(below[i] - common));
+    multiply(result.under, circle, static_cast<unsigned>(above[i] - common));
+    for (Factorization* product : {&result.over, &result.under}) {
+      put_squares(*product, cosine, sine);
+      put_squares(*product, sine, cosine);
+    }
+  }
+  return result;
+}
+
 Expression Quotients::expression(const Quotient& x) const {
-  const Quotient on_circles = this->on_circles(x);
-  if (on_circles.over.is_zero()) return zero_literal();
-  const Factorization over = factors_of(on_circles.over), under = factors_of(on_circles.under);
+  const Quotient least = shortened(x);
+  if (least.over.is_zero()) return zero_literal();
+  const auto [over, under] = factored(least);
   const Rational constant = over.constant / under.constant;
   return quotient_of(product_of_factors(over, Rational(numerator(constant))),
                      product_of_factors(under, Rational(denominator(constant))));

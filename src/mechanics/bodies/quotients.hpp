@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/algebra/polynomial.hpp"
 #include "mechanics/mechanism/mechanism.hpp"
@@ -33,13 +34,20 @@ class Quotients {
   std::optional<Quotient> root(const Quotient& square) const;
   /// In lowest terms, with cosines and sines for t.
   Quotient on_circles(Quotient x) const;
-  /// With cosines and sines for t. Throws ExpressionError where it is too long for people.
+  /// The factors of numerator and denominator, with cosines and sines for t. For a quotient in lowest terms.
+  struct Factored {
+    Factorization over, under;
+  };
+  Factored factored(const Quotient& x) const;
+  /// The product of these factors. Throws ExpressionError where it is too long for people.
   Expression expression(const Quotient& x) const;
 
  private:
   std::size_t half_turn(std::size_t angle) const { return mechanism_.parameters.size() + angle; }
   Quotient whole(const MultiPolynomial& polynomial) const { return {polynomial, MultiPolynomial(ring_, 1)}; }
   MultiPolynomial on_circle(const MultiPolynomial& p, std::size_t angle, std::size_t circles) const;
+  Factorization factors_on_circles(const MultiPolynomial& p, std::vector<std::size_t>& circles) const;
+  void put_squares(Factorization& product, std::size_t from, std::size_t to) const;
   Quotient symbol(const std::string& name);
 
   const Mechanism& mechanism_;

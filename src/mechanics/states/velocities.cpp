@@ -150,14 +150,15 @@ class Velocities {
     return result;
   }
 
-  /// What a file says beside what follows: X more follows.
-  void insert(const Expression& zero, const std::string& name, const std::string& key, Place place) {
+  /// What a file says beside what follows; returns whether they agree for all parameters.
+  bool insert(const Expression& zero, const std::string& name, const std::string& key, Place place) {
     const auto more = rates_->insert(equation(zero));
-    if (!more || more->over.is_zero()) return;
+    if (!more || more->over.is_zero()) return true;
     facts_.push_back({GeometryFact::Kind::zero, quotients_.expression(*more), name + "-fits",
-                      key + ": found a number that does not fit: what follows from the joints and the numbers before "
-                            "is X more, expected the same",
+                      key + ": found a number that differs by X from what follows from the joints and the numbers "
+                            "before it, expected the same",
                       place});
+    return false;
   }
 
   void insert_joints(Derivation& d) {
@@ -214,15 +215,24 @@ class Velocities {
     return dot(along, RelativePoint(MovingPoint(second, end), first).velocity);
   }
 
+  /// One that does not agree gives way, so that it alone is told.
   void insert_given() {
+    std::vector<PlacedVector*> wrong;
     for (const UnknownRate& unknown : unknowns_) {
-      Body& body = bodies_.bodies[unknown.body];
-      PlacedVector& given = unknown.spins ? body.spin : body.velocity;
+      PlacedVector& given = vector_of(unknown);
       if (!given) continue;
+      const std::string& body = bodies_.bodies[unknown.body].name;
       const std::string key = unknown.spins ? "spin" : "velocity";
-      insert(minus(make_symbol(unknown.symbol()), unplaced(component(given, unknown.axis))), body.name + "-" + key,
-             "body " + body.name + ": " + key + along(unknown), given.place);
+      const Expression more = minus(make_symbol(unknown.symbol()), unplaced(component(given, unknown.axis)));
+      if (!insert(more, body + "-" + key, "body " + body + ": " + key + along(unknown), given.place))
+        wrong.push_back(&given);
     }
+    for (PlacedVector* vector : wrong) *vector = {};
+  }
+
+  PlacedVector& vector_of(const UnknownRate& unknown) {
+    Body& body = bodies_.bodies[unknown.body];
+    return unknown.spins ? body.spin : body.velocity;
   }
 
   void insert_contacts(Derivation& d) {
@@ -249,15 +259,11 @@ class Velocities {
     if (!open.empty()) return refuse_freedoms(open);
     must_be_determined(determinant);
     const auto values = rates_->values();
-    std::vector<const PlacedVector*> given;
-    for (const UnknownRate& unknown : unknowns_) {
-      const Body& body = bodies_.bodies[unknown.body];
-      given.push_back(unknown.spins ? (body.spin ? &body.spin : nullptr) : body.velocity ? &body.velocity : nullptr);
-    }
+    std::vector<bool> given;
+    for (const UnknownRate& unknown : unknowns_) given.push_back(static_cast<bool>(vector_of(unknown)));
     for (std::size_t i = 0; i < unknowns_.size(); ++i) {
-      if (given[i] != nullptr) continue;
-      Body& body = bodies_.bodies[unknowns_[i].body];
-      PlacedVector& vector = unknowns_[i].spins ? body.spin : body.velocity;
+      if (given[i]) continue;
+      PlacedVector& vector = vector_of(unknowns_[i]);
       component(vector, unknowns_[i].axis) = {quotients_.expression(values[i]), PlacedText("", place_)};
       vector.place = place_;
     }
@@ -280,9 +286,9 @@ class Velocities {
 
   /// Its numerator has no root; factors that domains keep from 0 say nothing.
   void must_be_determined(const Quotient& determinant) {
-    const MultiPolynomial numerator = quotients_.on_circles(determinant).over;
+    const Factorization numerator = quotients_.factored(Quotients::shortened(determinant)).over;
     Expression product = make_number(1);
-    for (const auto& [factor, exponent] : numerator.factors().factors) {
+    for (const auto& [factor, exponent] : numerator.factors) {
       const Expression value = read_back(factor);
       if (sure_signs(mechanism_, value).zero) product = times(product, value);
     }

@@ -60,6 +60,28 @@ TEST_CASE("the same velocities follow from joints, bodies, points and what is gi
   test::check_same_mechanism(parse_mechanism(replaced(given, "hang.rate = \"w\"\n", ""), "cart.toml"), cart);
 }
 
+TEST_CASE("in space the freedoms that are left are named, and no joint has friction") {
+  const std::string leg = read_text_file(SLIPPROOF_SOURCE_DIR "/cases/mechanisms/linkages/hinge-chain.toml");
+  const auto messages = [](const std::string& text) {
+    return test::said({"", text, {}, 3}, [](const std::string& one) { parse_mechanism(one, "leg.toml"); });
+  };
+  const std::string open =
+      ": state: 1 freedom is left: the spin of shin about y is not determined, expected one more number";
+  const auto said = messages(replaced(leg, "knee.rate = \"q\"\n", ""));
+  REQUIRE(said.size() == 1);
+  CHECK(said[0].ends_with(open));
+  const std::string rail =
+      "[[joint]]\nname = \"rail\"\nkind = \"slider\"\nbetween = [\"ground\", \"thigh\"]\n"
+      "at = [\"0\", \"0\", \"0\"]\naxis = [\"1\", \"0\", \"0\"]\nfriction = \"1\"\n[[torque]]";
+  const auto refused = messages(replaced(leg, "[[torque]]", rail));
+  REQUIRE(!refused.empty());
+  CHECK(
+      refused[0].ends_with("friction: found friction at a joint in space, where no guide has it, expected it at "
+                           "contacts, [[contact]]"));
+  const std::string by_vector = replaced(leg, "knee.rate = \"q\"", "shin.spin = [\"-q*s1\", \"q*c1\", \"p\"]");
+  test::check_same_mechanism(parse_mechanism(by_vector, "leg.toml"), parse_mechanism(leg, "leg.toml"));
+}
+
 TEST_CASE("where a rate leaves the others open at some places, these are left out") {
   const Mechanism cart = with_state("rail.speed = \"v\"\nbob.velocity.x = \"v + w*l*c\"\n");
   bool said = false;
@@ -120,7 +142,7 @@ frame.velocity = ["v", "0"]
 frame.spin = "0"
 )",
                                           "barrow.toml");
-  CHECK(to_string(wheel.bodies->bodies[2].spin.z.expression) == "-2*v");
+  CHECK(to_string(wheel.bodies->bodies[2].spin.z.expression) == "-2 * v");
 }
 
 TEST_CASE("a pin with friction is a disc in a ring") {
@@ -129,7 +151,7 @@ TEST_CASE("a pin with friction is a disc in a ring") {
   std::string at_length = text;
   at_length.replace(joint, state - joint, R"([[contact]]
 name = "nail"
-of = "sign"
+of = "board"
 point = ["0", "l"]
 radius = "r"
 on_point = ["0", "6*l"]

@@ -7,7 +7,9 @@
 #include "base/input/text_file.hpp"
 #include "mechanics/bodies/bodies.hpp"
 #include "mechanics/checks/checks.hpp"
+#include "mechanics/kernel/motions.hpp"
 #include "mechanics/reading/read_mechanism.hpp"
+#include "mechanics/scene/scene.hpp"
 #include "mechanics/states/same_mechanism.hpp"
 #include "support/replaced.hpp"
 
@@ -22,7 +24,7 @@ std::string shipped_linkage(const std::string& name) {
   return read_text_file(SLIPPROOF_SOURCE_DIR "/cases/mechanisms/linkages/" + name + ".toml");
 }
 
-Mechanism read(const std::string& text) {
+Mechanism linkage(const std::string& text) {
   return parse_mechanism(text, "linkage.toml");
 }
 
@@ -60,7 +62,7 @@ std::string without_state(std::string text) {
 
 TEST_CASE("a finger whose tip stays on a table moves as its middle joint says") {
   const std::string text = shipped_linkage("finger");
-  const Mechanism finger = read(text);
+  const Mechanism finger = linkage(text);
   const std::string c12 = "(c1*c2 - s1*s2)", s12 = "(s1*c2 + c1*s2)";
   const std::string w1 = "(-w*" + c12 + "/(c1 + " + c12 + "))", w2 = "(w*c1/(c1 + " + c12 + "))";
   const std::string x1 = "-l*s1*" + w1 + "/2", y1 = "l*c1*" + w1 + "/2";
@@ -75,12 +77,12 @@ TEST_CASE("a finger whose tip stays on a table moves as its middle joint says") 
       at_length, "by = \"middle\"\nangle = \"bend\"\n",
       placed("[\"l*c1 + l*" + c12 + "/2\", \"l*s1 + l*" + s12 + "/2\"]", "angle = [\"" + c12 + "\", \"" + s12 + "\"]",
              "[\"" + x2 + "\", \"" + y2 + "\"]", "\"" + w2 + "\""));
-  check_same_mechanism(finger, read(at_length));
+  check_same_mechanism(finger, linkage(at_length));
 }
 
 TEST_CASE("a crank drives a slider, which is a pair of guides") {
   const std::string text = shipped_linkage("crank-slider");
-  const Mechanism engine = read(text);
+  const Mechanism engine = linkage(text);
   const std::string rod = "(-w*c1*s2/(s1*c2))";
   const std::string x = "-r*w*s1 + l*s2*" + rod + "/2", y = "r*w*c1 + l*c2*" + rod + "/2",
                     piston = "-r*w*s1 + l*s2*" + rod;
@@ -104,12 +106,12 @@ TEST_CASE("a crank drives a slider, which is a pair of guides") {
   }
   const std::size_t joint = at_length.find("[[joint]]\nname = \"cylinder\""), force = at_length.find("[[force]]");
   at_length.replace(joint, force - joint, guides);
-  check_same_mechanism(engine, read(at_length));
+  check_same_mechanism(engine, linkage(at_length));
 }
 
 TEST_CASE("a plate moves below the tip of a four-bar as the rate of the crank says") {
   const std::string text = shipped_linkage("four-bar");
-  const Mechanism bars = read(text);
+  const Mechanism bars = linkage(text);
   const std::string coupler = "(a*w*(s1*c3 - c1*s3)/(b*(s3*c2 - c3*s2)))",
                     rocker = "(a*w*(s1*c2 - c1*s2)/(k*(s3*c2 - c3*s2)))";
   const std::string x1 = "-a*w*s1/2", y1 = "a*w*c1/2", x2 = "-a*w*s1 - b*s2*" + coupler + "/2",
@@ -131,12 +133,34 @@ TEST_CASE("a plate moves below the tip of a four-bar as the rate of the crank sa
                               "[\"" + x3 + "\", \"" + y3 + "\"]", "\"" + rocker + "\""));
   at_length = replaced(at_length, "by = \"rail\"\ndisplacement = \"a*s1 + b*s2/2 + e*s2 - h*c2\"\n",
                        "at = [\"0\", \"a*s1 + b*s2/2 + e*s2 - h*c2\"]\nvelocity = [\"0\", \"" + plate + "\"]\n");
-  check_same_mechanism(bars, read(at_length));
+  check_same_mechanism(bars, linkage(at_length));
+}
+
+TEST_CASE("linkages change their motions where the page says") {
+  struct Change {
+    std::string scene;
+    Rational load;
+    std::string below, above;
+  };
+  const Rational near(1, 100000);
+  for (const Change& one : {Change{"finger", Rational(39666979) / 5780000000, "slip+", "lift"},
+                            Change{"crank-slider", Rational(580193, 18688), "slip-~/slip-~", "slip-/slip-"},
+                            Change{"four-bar", Rational(-1562133707447) / 42716362500, "lift", "slip-"}}) {
+    CAPTURE(one.scene);
+    const auto scene = read_scene(SLIPPROOF_SOURCE_DIR "/cases/mechanisms/linkages/scenes/" + one.scene + ".toml");
+    CHECK(check_mechanism(scene.mechanism).empty());
+    const FrictionProblem problem = friction_problem(scene.mechanism, scene.values);
+    for (const bool above : {false, true}) {
+      const MotionsAtLoad found = motions_of(problem, above ? one.load + near : one.load - near);
+      REQUIRE(found.motions.size() == 1);
+      CHECK(equal_modes(found.motions.front().modes) == (above ? one.above : one.below));
+    }
+  }
 }
 
 TEST_CASE("a leg of two hinges in space moves as the rates of its hinges say") {
   const std::string text = shipped_linkage("hinge-chain");
-  const Mechanism leg = read(text);
+  const Mechanism leg = linkage(text);
   const std::string thigh = R"(["-l*p*s1/2", "l*p*c1/2", "0"])",
                     shin = R"(["-l*p*s1 - l*(p*c2*s1 + q*s2*c1)/2", "l*p*c1 + l*(p*c2*c1 - q*s2*s1)/2", "-l*q*c2/2"])",
                     spin = R"(["-q*s1", "q*c1", "p"])";
@@ -147,7 +171,7 @@ TEST_CASE("a leg of two hinges in space moves as the rates of its hinges say") {
   at_length = replaced(at_length, "by = \"knee\"\nangle = \"knee\"\n",
                        placed(R"(["l*c1 + l*c1*c2/2", "l*s1 + l*s1*c2/2", "-l*s2/2"])",
                               R"x(turn = ["(1 + c1)*(1 + c2)", "-s1*s2", "(1 + c1)*s2", "s1*(1 + c2)"])x", shin, spin));
-  check_same_mechanism(leg, read(at_length));
+  check_same_mechanism(leg, linkage(at_length));
   const Body& lower = body(leg, "shin");
   CHECK(is_identical(leg, lower.velocity.x.expression, "-l*p*s1 - l*(p*c2*s1 + q*s2*c1)/2"));
   CHECK(is_identical(leg, lower.velocity.z.expression, "-l*q*c2/2"));

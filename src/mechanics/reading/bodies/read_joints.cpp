@@ -166,16 +166,31 @@ class JointReader : public BodyParts {
     rule("friction", kind == Kind::slider || kind == Kind::pin, false, "");
     rule("length", span || guided, span || (guided && turning && !in_space()),
          guided ? "the distance of its two guides" : "the length between its ends");
-    rule("radius", in_ring, in_ring && !in_space(), "the radius of the pin, a disc about `to` on the second body");
-    rule("ring", in_ring, in_ring && !in_space(),
-         "the radius of the ring about `at` on the first body, larger than the pin's");
     rule("force", kind == Kind::spring, kind == Kind::spring, "the tension of the spring now, such as \"k*x\"");
     rule("ratio", kind == Kind::gear, kind == Kind::gear, "the second body's turning over the first's");
     rule("carrier", kind == Kind::gear, false, "");
     rule("one_sided", kind == Kind::gear, false, "");
     const bool one_sided = kind == Kind::rope || (kind == Kind::gear && table.boolean("one_sided").value_or(false));
     rule("state", one_sided || rubs, false, "");
-    rule("names", !rubs, false, "");
+    check_friction_keys(table, joint);
+  }
+
+  /// What a joint with friction needs, and what one without has no use for.
+  void check_friction_keys(const TableReader& table, const BodyJoint& joint) {
+    const bool rubs = table.has("friction"), pin = joint.kind == BodyJoint::Kind::pin;
+    if (rubs && table.has("names")) {
+      table.refuse("names", "found them at a joint with friction, whose forces are those of contacts, expected none");
+    }
+    for (const std::string_view key : {"radius", "ring"}) {
+      if (!table.has(key) || (rubs && pin)) continue;
+      table.refuse(key, pin ? "found it at a pin without friction, expected friction as well"
+                            : "a " + table.string("kind")->text() + " has none");
+    }
+    if (!rubs || !pin || in_space()) return;
+    const bool whole =
+        table.require("radius", "the radius of the pin, a disc about `to` on the second body") &&
+        table.require("ring", "the radius of the ring about `at` on the first body, larger than the pin's");
+    context_.sound = context_.sound && whole;
   }
 
   /// A rope or a freewheel: a frictionless contact that is closed while it is taut or drives.

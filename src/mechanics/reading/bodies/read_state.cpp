@@ -63,7 +63,8 @@ class StateReader : public BodyParts {
 
   void refuse_name(const TomlEntry& entry, std::string_view kind, const std::string& name,
                    const std::vector<std::string_view>& known) {
-    refuse(entry, ": " + unknown_name(kind, name, known));
+    context_.mistakes.add(entry.place, "state: " + unknown_name(kind, name, known));
+    context_.sound = false;
   }
   std::vector<std::string_view> body_names() const {
     std::vector<std::string_view> names;
@@ -133,7 +134,7 @@ class StateReader : public BodyParts {
     if (kind == Kind::velocity) keys.push_back("at");
     const TableReader table(value, name, keys, context_.mistakes);
     if (table.has("at")) at = vector(table, "at");
-    if (std::ranges::none_of(keys, [&](std::string_view key) { return key != "at" && table.has(key); })) {
+    if (value.entries.size() == (table.has("at") ? 1 : 0)) {
       context_.mistakes.add(value.place, name + ": found no component, expected one such as x = \"v\"");
     }
     for (std::size_t i = 0; i < count; ++i) {
