@@ -39,12 +39,18 @@ std::optional<Vec3> force_at(const MechanismScene& scene, const SpaceMotion& mot
   return known ? std::optional(force) : std::nullopt;
 }
 
+/// 0 where the range holds it: it is not known to move.
+double sure_middle(const Range& range) {
+  const bool holds_zero = (!range.lower || range.lower->sign() <= 0) && (!range.upper || range.upper->sign() >= 0);
+  return holds_zero ? 0 : range_middle(range);
+}
+
 /// Its acceleration, and its angular acceleration.
 std::pair<Vec3, Vec3> accelerations(const SpaceGeometry::MovingBody& body, const SpaceMotion& motion) {
   std::array<double, 6> all = body.prescribed;
   for (std::size_t i = 0; i < 6; ++i) {
     const auto [unknown, sign] = body.unknowns[i];
-    if (sign != 0) all[i] = sign * range_middle(motion.accelerations[unknown]);
+    if (sign != 0) all[i] = sign * sure_middle(motion.accelerations[unknown]);
   }
   return {{all[0], all[1], all[2]}, {all[3], all[4], all[5]}};
 }
@@ -121,8 +127,7 @@ void SpaceArrows::contact_force(const SpaceGeometry::Contact& contact) {
   const bool determined =
       narrow(c.normal) && (!c.tangent || narrow(*c.tangent)) && (!c.second || narrow(c.second->force));
   if (contact.mu > 0) cone(contact, force_unit_ * dot(*force, contact.normal));
-  arrow(contact.at, contact.at + force_unit_ * *force, "friction",
-        determined ? ArrowLine::solid : ArrowLine::dashed);
+  arrow(contact.at, contact.at + force_unit_ * *force, "friction", determined ? ArrowLine::solid : ArrowLine::dashed);
   signs_.insert(determined ? SpaceSign::force : SpaceSign::open_force);
 }
 
@@ -134,7 +139,8 @@ void SpaceArrows::contact_directions(const SpaceGeometry::Contact& contact) {
     arrow(contact.at, end, css);
     if (in_.lettered) return;
     const Point tip = in_.view.pixel(end);
-    labels_.symbol({tip, halfway_to(in_.view.pixel(contact.at), tip)}, in_.scene.mechanism.unknowns[unknown].symbol, {});
+    labels_.symbol({tip, halfway_to(in_.view.pixel(contact.at), tip)}, in_.scene.mechanism.unknowns[unknown].symbol,
+                   {});
   };
   direction(c.normal, contact.normal, "normal");
   if (c.tangent) direction(*c.tangent, contact.first, "friction");
@@ -167,8 +173,8 @@ void SpaceArrows::slip(const SpaceGeometry::Contact& contact, const Range& degre
     return contact.at + reach * std::cos(angle * to_radians) * contact.first +
            reach * std::sin(angle * to_radians) * contact.second;
   };
-  const double middle = range_middle(degrees), width = range_middle({degrees.upper, degrees.upper}) -
-                                                    range_middle({degrees.lower, degrees.lower});
+  const double middle = range_middle(degrees),
+               width = range_middle({degrees.upper, degrees.upper}) - range_middle({degrees.lower, degrees.lower});
   if (width > seen) {
     std::vector<Vec3> sector{contact.at};
     constexpr int steps = 24;

@@ -1,5 +1,5 @@
-// The arrows in the picture of a scene in space: forces of contacts in their cones, slips, pushes, weights, velocities and
-// accelerations.
+// The arrows in the picture of a scene in space: forces of contacts in their cones, slips, pushes, weights, velocities
+// and accelerations.
 #pragma once
 
 #include <set>

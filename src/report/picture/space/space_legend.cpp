@@ -62,7 +62,7 @@ void add_sample(const Element& svg, SpaceSign sign, double x, double y) {
 }  // namespace
 
 double add_space_legend(const Element& svg, const std::set<SpaceSign>& signs, Point corner, double width) {
-  constexpr double line = 19, letter = 7.2, sample = 32, between = 14;
+  constexpr double line = 19, letter = 6.6, sample = 32, between = 14;
   const Element group = svg.add("g", "legend");
   double x = corner[0], y = corner[1] + line / 2;
   for (const SpaceSign sign : signs) {
