@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "report/markup/symbol.hpp"
 #include "report/picture/labels/contact_table.hpp"
 #include "report/picture/polyline.hpp"
 #include "report/picture/space/flat.hpp"
@@ -135,16 +136,29 @@ void SpaceArrows::contact_directions(const SpaceGeometry::Contact& contact) {
   const MechanismContact& c = in_.scene.mechanism.contacts[contact.index];
   const double reach = plain_push / in_.view.scale();
   const auto direction = [&](std::size_t unknown, const Vec3& along, std::string_view css) {
+    constexpr double seen = 8;  // in pixels
     const Vec3 end = contact.at + reach * along;
     arrow(contact.at, end, css);
-    if (in_.lettered) return;
-    const Point tip = in_.view.pixel(end);
-    labels_.symbol({tip, halfway_to(in_.view.pixel(contact.at), tip)}, in_.scene.mechanism.unknowns[unknown].symbol,
-                   {});
+    const Point start = in_.view.pixel(contact.at), tip = in_.view.pixel(end);
+    if (in_.lettered || std::hypot(tip[0] - start[0], tip[1] - start[1]) < seen) return;
+    const std::string& symbol = in_.scene.mechanism.unknowns[unknown].symbol;  // the contact's name is beside it
+    name_once(symbol == "N_" + c.name ? "N" : symbol, start, tip);
   };
   direction(c.normal, contact.normal, "normal");
   if (c.tangent) direction(*c.tangent, contact.first, "friction");
   if (c.second) direction(c.second->force, contact.second, "friction");
+}
+
+/// Contacts that are behind each other have one name for what looks the same.
+void SpaceArrows::name_once(const std::string& symbol, Point start, Point tip) {
+  constexpr double same_place = 10;
+  const auto same = [&](const auto& other) {
+    return other.first == plain_symbol(symbol) &&
+           std::hypot(other.second[0] - tip[0], other.second[1] - tip[1]) < same_place;
+  };
+  if (std::ranges::any_of(named_, same)) return;
+  named_.emplace_back(plain_symbol(symbol), tip);
+  labels_.symbol({tip, halfway_to(start, tip)}, symbol, {});
 }
 
 void SpaceArrows::cone(const SpaceGeometry::Contact& contact, double height) {

@@ -47,6 +47,7 @@ class SpaceArrows {
   void contact(std::size_t number);
   void contact_force(const SpaceGeometry::Contact& contact);
   void contact_directions(const SpaceGeometry::Contact& contact);
+  void name_once(const std::string& symbol, Point start, Point tip);
   void cone(const SpaceGeometry::Contact& contact, double height);
   void slip(const SpaceGeometry::Contact& contact, const Range& degrees);
   void push(const SpaceGeometry::Push& push);
@@ -65,6 +66,7 @@ class SpaceArrows {
   PictureLabels& labels_;
   double force_unit_ = 0;  ///< length in the scene of a force of 1
   std::vector<Point> ends_;
+  std::vector<std::pair<std::string, Point>> named_;
   std::vector<std::string> described_;
   std::set<SpaceSign> signs_;
 };
