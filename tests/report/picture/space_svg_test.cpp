@@ -180,9 +180,19 @@ acceleration = ["0", "0", "0"]
 at = ["4", "0", "1"]
 shape = [{ cylinder = ["1", "2"] }, { capsule = ["1/2", "1"], at = ["0", "0", "2"], axis = ["1", "0", "0"] },
          { hull = [["0", "0", "0"], ["2", "0", "0"], ["0", "2", "0"], ["0", "0", "2"]] }]
+[[contact]]
+name = "below"
+of = "ball"
+point = ["0", "0", "-1"]
+on = "still"
+normal = ["0", "0", "1"]
+through = ["-4", "0", "-1"]
 )",
                                      "ball.toml", Dimensions::any);
   SpaceMotion motion;
+  motion.modes = {"touch"};
+  motion.slips.resize(1);
+  motion.forces.assign(force_names(scene.mechanism).size(), exactly(0));
   motion.accelerations.assign(acceleration_names(scene.mechanism).size(), exactly(0));
   motion.accelerations[2] = exactly(-10);
   const DrawnMechanism picture = picture_of(scene, motion, view_direction("1,-3,1"));
