@@ -294,3 +294,33 @@ TEST_CASE("every shipped scene in space can be read, from several sides") {
   }
   CHECK(pictures >= 4);
 }
+
+TEST_CASE("many contacts have letters, which a table explains, alone and in a motion") {
+  std::string text =
+      space_header +
+      "[[body]]\nname = \"slab\"\nmass = \"1\"\ninertia = [\"1\", \"1\", \"1\"]\nat = [\"0\", \"0\", \"1\"]\n"
+      "shape = { box = [\"10\", \"2\", \"2\"] }\n";
+  for (int i = 0; i < 9; ++i) {
+    text += "[[contact]]\nname = \"foot" + std::to_string(i) + "\"\nof = \"slab\"\npoint = [\"" +
+            std::to_string(i - 4) + "\", \"" + std::to_string(i % 2) +
+            "\", \"-1\"]\nnormal = [\"0\", \"0\", \"1\"]\nthrough = [\"0\", \"0\", \"0\"]\ntangent = [\"1\", \"0\", "
+            "\"0\"]\n"
+            "friction = \"1/2\"\n";
+  }
+  const MechanismScene scene = parse_scene(text, "slab.toml", Dimensions::any);
+  SpaceMotion motion;
+  motion.modes.assign(9, "stick");
+  motion.slips.resize(9);
+  motion.accelerations.assign(acceleration_names(scene.mechanism).size(), exactly(0));
+  motion.forces.assign(force_names(scene.mechanism).size(), exactly(Rational(1, 7)));
+  const auto check = [](const DrawnMechanism& picture, const std::string& also) {
+    check_readable(picture);
+    const std::string words = all_text(picture.tree.document_element());
+    for (const std::string& expected : {std::string("i  foot8"), also}) {
+      CAPTURE(expected);
+      CHECK(words.find(expected) != std::string::npos);
+    }
+  };
+  check(read_picture(space_svg_file(scene, view_direction(usual_view))), "N of a contact");
+  check(picture_of(scene, motion, view_direction(usual_view)), "T = (1/7, 1/7)");
+}

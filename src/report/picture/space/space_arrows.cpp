@@ -145,6 +145,8 @@ void SpaceArrows::contact_directions(const SpaceGeometry::Contact& contact) {
     name_once(symbol == "N_" + c.name ? "N" : symbol, start, tip);
   };
   direction(c.normal, contact.normal, "normal");
+  signs_.insert(SpaceSign::normal);
+  if (c.tangent) signs_.insert(SpaceSign::tangents);
   if (c.tangent) direction(*c.tangent, contact.first, "friction");
   if (c.second) direction(c.second->force, contact.second, "friction");
 }

@@ -91,9 +91,9 @@ class SpacePicture {
   void below(const Element& svg, const SpaceMotion* motion, PictureFrame& frame, bool lettered) const {
     const double left = frame.drawn().left, top = frame.drawn().bottom + 6;
     axes(svg, {left + axes_room / 2 - 4, top + axes_room / 2});
-    if (motion != nullptr)
-      frame.see(add_text_table(svg, contact_rows(scene_, *motion, numbers_, lettered), {left + axes_room, top + 4},
-                               PictureFrame::widest - axes_room));
+    const auto rows = contact_rows(scene_, motion, numbers_, lettered);
+    if (!rows.empty())
+      frame.see(add_text_table(svg, rows, {left + axes_room, top + 4}, PictureFrame::widest - axes_room));
     frame.see(LabelBox{left, top, left + axes_room, top + axes_room});
   }
   void axes(const Element& svg, Point at) const {

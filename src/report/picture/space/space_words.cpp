@@ -105,19 +105,19 @@ std::string SpaceNumbers::pair(const std::optional<Range>& first, const std::opt
   return sign + both;
 }
 
-std::vector<std::vector<std::string>> contact_rows(const MechanismScene& scene, const SpaceMotion& motion,
+std::vector<std::vector<std::string>> contact_rows(const MechanismScene& scene, const SpaceMotion* motion,
                                                    const SpaceNumbers& numbers, bool lettered) {
   const Mechanism& m = scene.mechanism;
   std::vector<std::vector<std::string>> rows;
-  for (std::size_t i = 0; i < m.contacts.size(); ++i) {
+  for (std::size_t i = 0; i < m.contacts.size() && (motion != nullptr || lettered); ++i) {
     const MechanismContact& c = m.contacts[i];
-    const auto force = [&](std::size_t unknown) { return motion.forces[unknown - m.accelerations]; };
-    std::string state = motion.modes[i];
-    if (motion.slips[i]) state += " at " + angle_text(*motion.slips[i]);
-    std::vector<std::string> row{lettered ? contact_letter(i) + "  " + c.name : c.name, state, {}, {}};
-    if (motion.modes[i] != "lift") {
-      row[2] = "N " + numbers.text(force(c.normal));
-      if (c.second) row[3] = "T " + numbers.pair(force(*c.tangent), force(c.second->force));
+    std::vector<std::string> row{lettered ? contact_letter(i) + "  " + c.name : c.name, {}, {}, {}};
+    if (motion != nullptr) {
+      const auto force = [&](std::size_t unknown) { return motion->forces[unknown - m.accelerations]; };
+      row[1] = motion->modes[i] + (motion->slips[i] ? " at " + angle_text(*motion->slips[i]) : "");
+      if (motion->modes[i] != "lift") row[2] = "N " + numbers.text(force(c.normal));
+      if (motion->modes[i] != "lift" && c.second)
+        row[3] = "T " + numbers.pair(force(*c.tangent), force(c.second->force));
     }
     rows.push_back(std::move(row));
   }

@@ -41,8 +41,8 @@ class SpaceNumbers {
   NumberWords words_;
 };
 
-/// A line for each contact: its name, what it does, and its forces.
-std::vector<std::vector<std::string>> contact_rows(const MechanismScene& scene, const SpaceMotion& motion,
+/// A line for each contact: its name, what it does, and its forces; without a motion only what letters stand for.
+std::vector<std::vector<std::string>> contact_rows(const MechanismScene& scene, const SpaceMotion* motion,
                                                    const SpaceNumbers& numbers, bool lettered);
 
 /// `A: slip`; the name alone without a motion.
