@@ -47,7 +47,7 @@ is = ["8", "6", "0"]
   return parse_scene(text, "box.toml", Dimensions::any);
 }
 
-Range exactly(const Rational& x) {
+Range exact_range(const Rational& x) {
   return {x, x};
 }
 
@@ -56,14 +56,14 @@ SpaceMotion motion_of_box(const MechanismScene& scene) {
   const Mechanism& m = scene.mechanism;
   SpaceMotion motion;
   motion.modes = {"slip", "stick", "stick", "lift"};
-  motion.slips = {exactly(Rational(5313, 100)), {}, {}, {}};
-  motion.accelerations.assign(acceleration_names(m).size(), exactly(0));
-  motion.forces.assign(force_names(m).size(), exactly(0));
+  motion.slips = {exact_range(Rational(5313, 100)), {}, {}, {}};
+  motion.accelerations.assign(acceleration_names(m).size(), exact_range(0));
+  motion.forces.assign(force_names(m).size(), exact_range(0));
   const auto set = [&](std::size_t contact, const Rational& N, const Rational& T1, const Rational& T2) {
     const MechanismContact& c = m.contacts[contact];
-    motion.forces[c.normal - m.accelerations] = exactly(N);
-    motion.forces[*c.tangent - m.accelerations] = exactly(T1);
-    motion.forces[c.second->force - m.accelerations] = exactly(T2);
+    motion.forces[c.normal - m.accelerations] = exact_range(N);
+    motion.forces[*c.tangent - m.accelerations] = exact_range(T1);
+    motion.forces[c.second->force - m.accelerations] = exact_range(T2);
   };
   set(0, 10, -3, -4);
   set(1, 8, -1, 2);
@@ -80,7 +80,7 @@ DrawnMechanism picture_of(const MechanismScene& scene, const SpaceMotion& motion
 }
 
 /// How many nodes of the drawing, without its legend, have a class.
-std::size_t count(const DrawnMechanism& picture, const std::string& css) {
+std::size_t class_count(const DrawnMechanism& picture, const std::string& css) {
   return picture.tree.select_nodes(("//*[@class='" + css + "'][not(ancestor::g[@class='legend'])]").c_str()).size();
 }
 std::vector<DrawnArrow> drawn_arrows(const DrawnMechanism& picture, const std::string& css) {
@@ -117,9 +117,9 @@ TEST_CASE("each contact that pushes has its force in its cone, on the circle whe
   const DrawnMechanism picture = picture_of(scene, motion_of_box(scene), from_above);
   const auto forces = drawn_arrows(picture, "friction");
   REQUIRE(forces.size() == 3);
-  CHECK(count(picture, "cone") == 6);  // the cone and its circle
-  CHECK(count(picture, "contact ink") == 3);
-  CHECK(count(picture, "contact paper frame") == 1);
+  CHECK(class_count(picture, "cone") == 6);  // the cone and its circle
+  CHECK(class_count(picture, "contact ink") == 3);
+  CHECK(class_count(picture, "contact paper frame") == 1);
   const double unit = 78.0 / 20;
   CHECK(forces[0].length() == doctest::Approx(unit * 5).epsilon(0.01));  // mu N
   CHECK(forces[1].length() == doctest::Approx(unit * std::sqrt(5.0)).epsilon(0.01));
@@ -137,10 +137,10 @@ TEST_CASE("a slip points where its angle says, and a wide enclosure has a sector
   const auto slips = drawn_arrows(narrow, "slips");
   REQUIRE(slips.size() == 1);
   CHECK(std::atan2(-slips[0].dy, slips[0].dx) * 180 / std::numbers::pi == doctest::Approx(53.13).epsilon(0.01));
-  CHECK(count(narrow, "arc") == 0);
+  CHECK(class_count(narrow, "arc") == 0);
   motion.slips[0] = Range{Rational(20), Rational(80)};
   const DrawnMechanism wide = picture_of(scene, motion, from_above);
-  REQUIRE(count(wide, "arc") == 1);
+  REQUIRE(class_count(wide, "arc") == 1);
   const auto sector = numbers(wide.tree.select_node("//path[@class='arc']").node().attribute("d").value());
   const auto angle = [&](std::size_t i) {
     return std::atan2(sector[1] - sector[i + 1], sector[i] - sector[0]) * 180 / std::numbers::pi;
@@ -192,16 +192,16 @@ through = ["-4", "0", "-1"]
   SpaceMotion motion;
   motion.modes = {"touch"};
   motion.slips.resize(1);
-  motion.forces.assign(force_names(scene.mechanism).size(), exactly(0));
-  motion.accelerations.assign(acceleration_names(scene.mechanism).size(), exactly(0));
-  motion.accelerations[2] = exactly(-10);
+  motion.forces.assign(force_names(scene.mechanism).size(), exact_range(0));
+  motion.accelerations.assign(acceleration_names(scene.mechanism).size(), exact_range(0));
+  motion.accelerations[2] = exact_range(-10);
   const DrawnMechanism picture = picture_of(scene, motion, view_direction("1,-3,1"));
   CHECK(drawn_arrows(picture, "velocity").size() == 1);
   const auto accelerations = drawn_arrows(picture, "acceleration");
   REQUIRE(accelerations.size() == 1);
   CHECK(accelerations[0].dashed);
   CHECK(accelerations[0].dy > 0);
-  CHECK(count(picture, "solid") == 4);
+  CHECK(class_count(picture, "solid") == 4);
   check_readable(picture);
 }
 
@@ -235,7 +235,7 @@ through = ["0", "0", "0"]
   CHECK(shadow[1] == doctest::Approx(ball[1]).epsilon(0.01).scale(100));
   CHECK(space_svg_file(scene, from_above) != space_svg_file(scene, from_in_front));
   const DrawnMechanism below = read_picture(space_svg_file(scene, view_direction("0,-4,-1")));
-  CHECK(count(below, "shadow") == 0);
+  CHECK(class_count(below, "shadow") == 0);
 }
 
 TEST_CASE("a direction to look from is three numbers or two angles, and anything else is refused in words") {
@@ -311,8 +311,8 @@ TEST_CASE("many contacts have letters, which a table explains, alone and in a mo
   SpaceMotion motion;
   motion.modes.assign(9, "stick");
   motion.slips.resize(9);
-  motion.accelerations.assign(acceleration_names(scene.mechanism).size(), exactly(0));
-  motion.forces.assign(force_names(scene.mechanism).size(), exactly(Rational(1, 7)));
+  motion.accelerations.assign(acceleration_names(scene.mechanism).size(), exact_range(0));
+  motion.forces.assign(force_names(scene.mechanism).size(), exact_range(Rational(1, 7)));
   const auto check = [](const DrawnMechanism& picture, const std::string& also) {
     check_readable(picture);
     const std::string words = all_text(picture.tree.document_element());

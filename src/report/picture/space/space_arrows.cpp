@@ -208,16 +208,12 @@ void SpaceArrows::push(const SpaceGeometry::Push& push) {
   const bool plain = in_.motion == nullptr;
   described_.push_back("pushed by " + push.name);
   signs_.insert(SpaceSign::load);
-  const std::string words = push.name + (push.value.empty() ? "" : " " + push.value);
-  const bool is_name = push.name.find_first_of("*+-/( ") == push.name.npos;
   if (push.couple)
-    return turn(push.at, push.is, turn_radius + 5, "load", false, is_name ? push.value : words,
-                is_name ? push.name : "");
+    return labels_.push(turn(push.at, push.is, turn_radius + 5, "load", ArrowLine::solid), push.name, push.value);
   const Vec3 way = (plain ? plain_push / in_.view.scale() : force_unit_ * length(push.is)) * direction_of(push.is);
   arrow(push.at - way, push.at, "load");
   const Point start = in_.view.pixel(push.at - way), end = in_.view.pixel(push.at);
-  is_name ? labels_.symbol({start, halfway_to(start, end)}, push.name, push.value)
-          : labels_.symbol({start, halfway_to(start, end)}, {}, words);
+  labels_.push({start, halfway_to(start, end)}, push.name, push.value);
 }
 
 void SpaceArrows::weight(const SpaceGeometry::Weight& weight) {
@@ -237,8 +233,9 @@ void SpaceArrows::body(const SpaceGeometry::MovingBody& body) {
   const auto turning = [&](const Vec3& axis, bool before, double largest) {
     if (length(axis) <= nothing * largest || largest == 0) return;
     const std::string words = (before ? "spin " : "turning ") + rounded_value(length(axis));
-    turn(body.at, axis, before ? turn_radius : turn_radius + 8, before ? "velocity" : "acceleration", !before,
-         named() ? words : "");
+    const auto places = turn(body.at, axis, before ? turn_radius : turn_radius + 8,
+                             before ? "velocity" : "acceleration", before ? ArrowLine::solid : ArrowLine::dotted);
+    if (named()) labels_.words(places, words);
     signs_.insert(before ? SpaceSign::velocity : SpaceSign::acceleration);
     described_.push_back(body.name + ": " + words);
   };
@@ -261,8 +258,8 @@ void SpaceArrows::straight(const Vec3& at, const Vec3& way, bool before, const s
   described_.push_back(name + ": " + words);
 }
 
-void SpaceArrows::turn(const Vec3& at, const Vec3& axis, double radius, std::string_view css, bool dotted,
-                       const std::string& words, const std::string& symbol) {
+std::vector<Point> SpaceArrows::turn(const Vec3& at, const Vec3& axis, double radius, std::string_view css,
+                                     ArrowLine line) {
   constexpr int steps = 24;
   const AcrossDirections across(direction_of(axis));
   const double reach = radius / in_.view.scale();
@@ -276,13 +273,12 @@ void SpaceArrows::turn(const Vec3& at, const Vec3& axis, double radius, std::str
     if (i % 6 == 0) near.push_back(p);
   }
   const Element path = svg_.add("path", css).set("style", "fill:none").set("d", path_of(arc));
-  if (dotted) path.set("stroke-dasharray", "1.5 2.5");
+  if (line == ArrowLine::dotted) path.set("stroke-dasharray", "1.5 2.5");
   const Pixel before = arc[arc.size() - 2], end = arc.back();
   const double dx = end.x - before.x, dy = end.y - before.y, step = std::max(std::hypot(dx, dy), 0.1);
   add_arrow(svg_, {end.x, end.y}, 8 * dx / step, 8 * dy / step, css);
   ends_.push_back({end.x + 8 * dx / step, end.y + 8 * dy / step});
-  if (symbol.empty()) return labels_.words(near, words);
-  labels_.symbol(near, symbol, words);
+  return near;
 }
 
 }  // namespace slipproof

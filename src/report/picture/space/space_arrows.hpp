@@ -54,9 +54,8 @@ class SpaceArrows {
   void weight(const SpaceGeometry::Weight& weight);
   void body(const SpaceGeometry::MovingBody& body);
   void straight(const Vec3& at, const Vec3& way, bool before, const std::string& name, double size);
-  /// Part of a circle around an axis, with an arrow at its end.
-  void turn(const Vec3& at, const Vec3& axis, double radius, std::string_view css, bool dotted,
-            const std::string& words, const std::string& symbol = {});
+  /// Part of a circle around an axis, with an arrow at its end; returns places for its label.
+  std::vector<Point> turn(const Vec3& at, const Vec3& axis, double radius, std::string_view css, ArrowLine line);
   Point see(const Vec3& p);
   void arrow(const Vec3& from, const Vec3& to, std::string_view css, ArrowLine line = ArrowLine::solid);
   bool named() const { return in_.geometry.bodies.size() <= 3; }
