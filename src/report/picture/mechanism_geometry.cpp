@@ -88,8 +88,8 @@ class GeometryReader {
       const bool begins = label->points[0] == to;
       const Point along = unit({size * (to[0] - from[0]), size * (to[1] - from[1])});
       if (size != 0)
-        geometry.pushes.push_back(
-            {begins ? from : to, along, std::abs(size), label->text, numbers_.value_of(make_symbol(label->text)), begins});
+        geometry.pushes.push_back({begins ? from : to, along, std::abs(size), label->text,
+                                   numbers_.value_of(make_symbol(label->text)), begins});
       label->points.clear(), outlines[i].points.clear();
     }
     std::erase_if(outlines, [](const auto& outline) { return outline.points.empty(); });

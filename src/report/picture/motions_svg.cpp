@@ -53,7 +53,8 @@ CommonLook common_look(const MechanismScene& scene, const std::vector<MotionAtLo
 std::string motions_svg_file(const MechanismScene& scene, const MotionsAtLoad& found) {
   const std::vector<MotionAtLoad> motions = drawn_motions(found);
   const CommonLook look = common_look(scene, motions);
-  PanelSheet sheet{scene.name, below_title(scene, found, *look.numbers), {}, picture_height(scene, PanelSheet{}.height)};
+  PanelSheet sheet{
+      scene.name, below_title(scene, found, *look.numbers), {}, picture_height(scene, PanelSheet{}.height)};
   for (std::size_t i = 0; i < std::max<std::size_t>(motions.size(), 1); ++i) {
     const MotionAtLoad* const motion = i < motions.size() ? &motions[i] : nullptr;
     const bool single = i < found.motions.size();

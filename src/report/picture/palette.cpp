@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string_view>
 
 namespace slipproof {
@@ -37,7 +38,7 @@ struct Ink {
 };
 
 /// The colours of everything else.
-constexpr std::array<Ink, 36> inks{{{"#1d2733", "#e8edf3", ".ink{{fill:{}}}"},
+constexpr std::array<Ink, 27> inks{{{"#1d2733", "#e8edf3", ".ink{{fill:{}}}"},
                                     {"#55606e", "#a9b4c1", ".soft{{fill:{}}}"},
                                     {"#1d2733", "#e8edf3", ".edge{{fill:none;stroke-width:1.6;stroke:{}}}"},
                                     {"#b3125f", "#ff8fc0", ".new{{fill:none;stroke-width:2.4;stroke:{}}}"},
@@ -60,53 +61,74 @@ constexpr std::array<Ink, 36> inks{{{"#1d2733", "#e8edf3", ".ink{{fill:{}}}"},
                                     {"#4a5563", "#c0cad6", ".load{{stroke-width:2;stroke:{0};fill:{0}}}"},
                                     {"#17663f", "#8fdcb0", ".moves{{stroke-width:2;stroke:{0};fill:{0}}}"},
                                     {"#0b5fa5", "#7cc0ff", ".acceleration{{stroke-width:1.4;stroke:{0};fill:{0}}}"},
-                                    {"#2a3644", "#c9d4e0", ".rim{{fill:none;stroke-width:1.1;stroke:{}}}"},
-                                    {"#2a3644", "#c9d4e0",
-                                     ".hidden{{fill:none;stroke-width:0.8;stroke-dasharray:1.5 3;stroke:{}}}"},
-                                    {"#6d5a3a", "#d8c39a", ".joint{{fill:none;stroke-width:1.6;stroke-dasharray:7 2 2 2;stroke:{}}}"},
-                                    {"#17663f", "#8fdcb0", ".velocity{{stroke-width:1.4;stroke:{0};fill:{0}}}"},
-                                    {"#efece4", "#1d232b", ".floor{{stroke:none;fill:{}}}"},
-                                    {"#1d2733", "#000000", ".shadow{{stroke:none;fill-opacity:0.22;fill:{}}}"},
-                                    {"#b34700", "#ffb27a", ".cone{{stroke-width:0.9;fill-opacity:0.12;stroke:{0};fill:{0}}}"},
-                                    {"#17663f", "#8fdcb0", ".slips{{stroke-width:1.4;stroke:{0};fill:{0}}}"},
-                                    {"#17663f", "#8fdcb0", ".arc{{stroke-width:0.7;fill-opacity:0.25;stroke:{0};fill:{0}}}"},
                                     {"#8b95a1", "#7d8896", ".fit-open{{fill:{}}}"},
                                     {"#0b5fa5", "#7cc0ff", ".fit-stick{{fill:{}}}"},
                                     {"#b34700", "#ffb27a", ".fit-slide{{fill:{}}}"},
                                     {"#4d3a80", "#d9ccff", ".fit-smooth{{fill:{}}}"}}};
 
-/// The faces of solids, from those in the dark to those in the light.
-constexpr std::array<Colour, 8> shades{{{"#8797a9", "#1e2833"},
-                                        {"#98a7b8", "#263240"},
-                                        {"#a8b6c5", "#2e3c4c"},
-                                        {"#b7c3d1", "#374759"},
-                                        {"#c5d0dc", "#405266"},
-                                        {"#d2dbe5", "#4a5d73"},
-                                        {"#dee5ed", "#546980"},
-                                        {"#e9eef4", "#5f768e"}}};
+/// Those that only pictures of scenes in space have.
+constexpr std::array<Ink, 9> space_inks{
+    {{"#2a3644", "#c9d4e0", ".rim{{fill:none;stroke-width:1.1;stroke:{}}}"},
+     {"#2a3644", "#c9d4e0", ".hidden{{fill:none;stroke-width:0.8;stroke-dasharray:1.5 3;stroke:{}}}"},
+     {"#6d5a3a", "#d8c39a", ".joint{{fill:none;stroke-width:1.6;stroke-dasharray:7 2 2 2;stroke:{}}}"},
+     {"#17663f", "#8fdcb0", ".velocity{{stroke-width:1.4;stroke:{0};fill:{0}}}"},
+     {"#efece4", "#1d232b", ".floor{{stroke:none;fill:{}}}"},
+     {"#1d2733", "#000000", ".shadow{{stroke:none;fill-opacity:0.22;fill:{}}}"},
+     {"#4d3a80", "#d9ccff", ".cone{{stroke-width:0.9;fill-opacity:0.12;stroke:{0};fill:{0}}}"},
+     {"#17663f", "#8fdcb0", ".slips{{stroke-width:1.4;stroke:{0};fill:{0}}}"},
+     {"#17663f", "#8fdcb0", ".arc{{stroke-width:0.7;fill-opacity:0.25;stroke:{0};fill:{0}}}"}}};
+
+/// The faces of solids, from those in the dark to those in the light; red, green, blue.
+constexpr int shades = 16;
+struct ShadeEnds {
+  std::array<int, 3> dark, light;
+};
+constexpr ShadeEnds light_shades{{0x7f, 0x90, 0xa3}, {0xee, 0xf2, 0xf7}};
+constexpr ShadeEnds dark_shades{{0x18, 0x21, 0x2b}, {0x68, 0x80, 0x9a}};
+
+std::string shade_rule(int i, const ShadeEnds& ends) {
+  const auto part = [&](std::size_t k) { return ends.dark[k] + (ends.light[k] - ends.dark[k]) * i / (shades - 1); };
+  return fmt::format(".shade{0}{{fill:#{1:02x}{2:02x}{3:02x};stroke:#{1:02x}{2:02x}{3:02x};stroke-width:0.6}}\n", i,
+                     part(0), part(1), part(2));
+}
+
+/// Rules for light displays, and those that replace them on dark ones.
+struct Rules {
+  std::string light, dark;
+
+  void add(std::span<const Ink> all) {
+    for (const Ink& ink : all) {
+      light += fmt::format(fmt::runtime(ink.rule), ink.light) + "\n";
+      dark += fmt::format(fmt::runtime(ink.rule), ink.dark) + "\n";
+    }
+  }
+  std::string style() const { return light + "@media screen and (prefers-color-scheme:dark){\n" + dark + "}\n"; }
+};
 
 }  // namespace
 
 std::string shade_class(double light) {
-  const auto index = static_cast<std::size_t>(std::clamp(light, 0.0, 0.999) * static_cast<double>(shades.size()));
-  return "shade" + std::to_string(index);
+  return "shade" + std::to_string(static_cast<int>(std::clamp(light, 0.0, 0.999) * shades));
 }
 
 std::string picture_style() {
-  std::string light, dark;
+  Rules rules;
   for (std::size_t i = 0; i < mode_colours.size(); ++i) {
-    light += fmt::format(".m{}{{fill:{}}}\n", i, mode_colours[i].light);
-    dark += fmt::format(".m{}{{fill:{}}}\n", i, mode_colours[i].dark);
+    rules.light += fmt::format(".m{}{{fill:{}}}\n", i, mode_colours[i].light);
+    rules.dark += fmt::format(".m{}{{fill:{}}}\n", i, mode_colours[i].dark);
   }
-  for (std::size_t i = 0; i < shades.size(); ++i) {
-    light += fmt::format(".shade{0}{{fill:{1};stroke:{1};stroke-width:0.6}}\n", i, shades[i].light);
-    dark += fmt::format(".shade{0}{{fill:{1};stroke:{1};stroke-width:0.6}}\n", i, shades[i].dark);
+  rules.add(inks);
+  return rules.style();
+}
+
+std::string space_style() {
+  Rules rules;
+  for (int i = 0; i < shades; ++i) {
+    rules.light += shade_rule(i, light_shades);
+    rules.dark += shade_rule(i, dark_shades);
   }
-  for (const Ink& ink : inks) {
-    light += fmt::format(fmt::runtime(ink.rule), ink.light) + "\n";
-    dark += fmt::format(fmt::runtime(ink.rule), ink.dark) + "\n";
-  }
-  return light + "@media screen and (prefers-color-scheme:dark){\n" + dark + "}\n";
+  rules.add(space_inks);
+  return rules.style();
 }
 
 ModeColours::ModeColours(std::vector<MechanismMode> modes) {

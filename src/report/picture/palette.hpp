@@ -13,6 +13,9 @@ namespace slipproof {
 /// variables.
 std::string picture_style();
 
+/// What pictures of scenes in space need in addition.
+std::string space_style();
+
 /// The class of a face of a solid by its light, from 0 to 1.
 std::string shade_class(double light);
 

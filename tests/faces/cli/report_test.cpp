@@ -197,6 +197,27 @@ TEST_CASE("the picture of the README is what draw makes of its scene, with the t
   }
 }
 
+TEST_CASE("draw shows a scene in space from where --from says, and the shipped picture is what it makes") {
+  const std::string cube = SLIPPROOF_SOURCE_DIR "/cases/space/cube-pushed-obliquely";
+  const auto all = run({"draw", cube + ".toml", "--motion", "all"});
+  CHECK(all.exit_code == 0);
+  CHECK(all.out == read_file(cube + ".svg"));
+  const auto usual = run({"draw", cube + ".toml"}), side = run({"draw", cube + ".toml", "--from", "-20,40"});
+  CHECK(usual.exit_code == 0);
+  CHECK(usual.out.find(">N<") != std::string::npos);
+  CHECK(side.exit_code == 0);
+  CHECK(side.out != usual.out);
+  CHECK(run({"draw", cube + ".toml", "--from=-20,40"}).out == side.out);
+  CHECK(run({"draw", cube + ".toml", "--from", "1,-2,1", "--load", "3"}).out.find("F = 3 N") != std::string::npos);
+  const auto nowhere = run({"draw", cube + ".toml", "--from", "0,0,0"});
+  CHECK(nowhere.exit_code == 2);
+  CHECK(nowhere.err.find("found '0,0,0', which is no direction, expected a direction x,y,z") != std::string::npos);
+  CHECK(run({"draw", cube + ".toml", "--motion", "9"}).err.find("found --motion 9, expected at most 1") !=
+        std::string::npos);
+  CHECK(run({"draw", city_bicycle, "--from", "1,0,0"}).err.find("found --from, but the scene is in the plane") !=
+        std::string::npos);
+}
+
 TEST_CASE("a report of a folder with one paper is a page, and of several a folder") {
   const TemporaryFolder folder;
   const std::string paper = SLIPPROOF_SOURCE_DIR "/proofs/rear-drive", page = (folder.path() / "x.html").string();

@@ -25,13 +25,16 @@ struct DrawnMechanism {
   std::array<double, 4> view{};
 };
 
-inline DrawnMechanism drawn(const MechanismScene& scene, const MotionAtLoad* motion = nullptr) {
+inline DrawnMechanism read_picture(const std::string& svg) {
   DrawnMechanism result;
-  REQUIRE(
-      result.tree.load_string(mechanism_svg_file(scene, motion).c_str(), pugi::parse_default | pugi::parse_ws_pcdata));
+  REQUIRE(result.tree.load_string(svg.c_str(), pugi::parse_default | pugi::parse_ws_pcdata));
   std::istringstream view(result.tree.document_element().attribute("viewBox").value());
   for (double& x : result.view) view >> x;
   return result;
+}
+
+inline DrawnMechanism drawn(const MechanismScene& scene, const MotionAtLoad* motion = nullptr) {
+  return read_picture(mechanism_svg_file(scene, motion));
 }
 
 inline MotionsAtLoad motions(const MechanismScene& scene) {

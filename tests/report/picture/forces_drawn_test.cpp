@@ -75,8 +75,8 @@ TEST_CASE("of one body all drawn forces add up to its mass times its acceleratio
     const ProblemMaker maker(scene.mechanism);
     const double m = number(scene, maker, bodies.bodies[1].mass);
     const double gx = number(scene, maker, bodies.gravity.x), gy = number(scene, maker, bodies.gravity.y);
-    const double ax = acceleration(scene, motion, bodies.bodies[1].ax);
-    const double ay = acceleration(scene, motion, bodies.bodies[1].ay);
+    const double ax = acceleration(scene, motion, bodies.bodies[1].unknowns[0]);
+    const double ay = acceleration(scene, motion, bodies.bodies[1].unknowns[1]);
     constexpr double shorter_than_a_pixel = 2.5;
     CHECK(down ==
           doctest::Approx(unit * m * (ax * gx + ay * gy) / std::hypot(gx, gy)).epsilon(shorter_than_a_pixel / 72));

@@ -12,12 +12,15 @@
 #include "base/number/format.hpp"
 #include "base/number/parse.hpp"
 #include "base/output/output_file.hpp"
+#include "contact/space/solve_space.hpp"
 #include "faces/cli/command.hpp"
 #include "faces/cli/png.hpp"
 #include "faces/cli/warnings.hpp"
 #include "mechanics/scene/solve_mechanism.hpp"
 #include "report/picture/mechanism_svg.hpp"
 #include "report/picture/motions_svg.hpp"
+#include "report/picture/space/space_svg.hpp"
+#include "report/picture/space/space_view.hpp"
 
 namespace slipproof::cli {
 
@@ -29,6 +32,7 @@ struct DrawArguments {
   CommonOptions common;
   std::string scene, out, load;
   std::string motion;  ///< a number from 1, or every_motion; empty: none
+  std::string from;    ///< where one looks at a scene in space from; empty: usual_view
 };
 
 [[noreturn]] void refuse(const DrawArguments& arguments, const std::string& message) {
@@ -77,6 +81,17 @@ std::string figure_of_motions(MechanismScene scene, const DrawArguments& argumen
                                 motions.size(), found.continua.empty() ? "" : ", continua counted"));
 }
 
+std::string figure_in_space(MechanismScene scene, const DrawArguments& arguments) {
+  const Vec3 from = view_direction(arguments.from.empty() ? usual_view : arguments.from);
+  if (arguments.motion.empty()) return space_svg_file(scene, from);
+  const SolvedSpace solved = solve_space(std::move(scene));
+  if (arguments.motion == every_motion) return space_motions_svg_file(solved, from);
+  const std::size_t number = std::stoul(arguments.motion);
+  if (number <= solved.motions.size()) return space_svg_file(solved, number - 1, from);
+  refuse(arguments, fmt::format("found --motion {}, expected at most {}: so many motions are known there", number,
+                                solved.motions.size()));
+}
+
 std::string figure_of(MechanismScene scene, const DrawArguments& arguments) {
   print_warnings(scene, arguments.common);
   if (!arguments.load.empty()) {
@@ -89,8 +104,25 @@ std::string figure_of(MechanismScene scene, const DrawArguments& arguments) {
       throw CLI::ValidationError("--load", error.what());
     }
   }
+  if (scene.mechanism.dimension == 3) return figure_in_space(std::move(scene), arguments);
+  if (!arguments.from.empty())
+    refuse(arguments, "found --from, but the scene is in the plane, which is drawn as it is");
   if (!arguments.motion.empty()) return figure_of_motions(std::move(scene), arguments);
   return mechanism_svg_file(scene, nullptr);
+}
+
+/// What view_direction() reads.
+CLI::Validator view_choice() {
+  return CLI::Validator(
+      [](std::string& text) {
+        try {
+          view_direction(text);
+        } catch (const std::invalid_argument& error) {
+          return std::string(error.what());
+        }
+        return std::string();
+      },
+      "X,Y,Z|DEGREES,DEGREES");
 }
 
 /// `all`, or a number from 1.
@@ -114,10 +146,16 @@ void add_draw(CLI::App& app, int& exit_code) {
                   "directions")
       ->check(motion_choice());
   command.add_option("--load", options->load, "The value of the load, in place of the scene's, such as 7/4");
+  command
+      .add_option("--from", options->from,
+                  "Where to look at a scene in space from: a direction in its axes, such as 1,-2,1, or azimuth and "
+                  "elevation in degrees, such as -60,20; default: " +
+                      std::string(usual_view))
+      ->check(view_choice());
   command.add_option("-o,--out", options->out, "The file to write, .svg or .png; default: standard output");
   add_common_options(command, options->common);
   command.callback([options, &exit_code] {
-    MechanismScene scene = read_scene(options->scene);
+    MechanismScene scene = read_scene(options->scene, Dimensions::any);
     std::optional<OutputFile> out;
     if (!options->out.empty() && options->out != "-")
       out.emplace(options->out, Inputs{options->scene, scene.mechanism.file});

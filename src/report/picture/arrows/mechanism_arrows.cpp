@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "base/number/binary64.hpp"
@@ -24,12 +23,6 @@ Point halfway(Point from, Point to) {
 }
 bool has_direction(const MechanismGeometry::Contact& contact) {
   return contact.normal != Point{0, 0};
-}
-
-/// A symbol, or a product of symbols as `M g`.
-bool is_name(const std::string& text) {
-  return std::ranges::all_of(text, [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == ' '; }) &&
-         std::isalpha(static_cast<unsigned char>(text[0])) != 0;
 }
 
 /// What several bodies share, each with its bodies: `v = 5 of car, trailer`.
@@ -183,15 +176,12 @@ void MechanismArrows::shape(const MechanismGeometry::Outline& outline) {
 /// An arrow that ends where the force acts; of a couple its name and sense.
 void MechanismArrows::push(const MechanismGeometry::Push& push) {
   const Point at = in_.view.pixel(push.at);
-  const auto label = [&](const std::vector<Point>& near, const std::string& after) {
-    is_name(push.name) ? labels_.symbol(near, push.name, push.value + after)
-                       : labels_.symbol(near, {}, push.name + (push.value.empty() ? "" : " ") + push.value + after);
-  };
-  if (push.along == Point{0, 0}) return label({at}, push.size > 0 ? " \u21ba" : " \u21bb");
+  if (push.along == Point{0, 0})
+    return labels_.push({at}, push.name, push.value + (push.size > 0 ? " \u21ba" : " \u21bb"));
   const double length = pixels(push.size);
   const Point from = push.begins ? at : moved(at, push.along, -length);
   const auto [start, end] = load_arrow(from, moved(from, push.along, length));
-  label({push.begins ? end : start, halfway(start, end)}, {});
+  labels_.push({push.begins ? end : start, halfway(start, end)}, push.name, push.value);
   described_.push_back("pushed by " + push.name);
 }
 

@@ -22,6 +22,7 @@ struct PanelSheet {
   double height = 330;  ///< at most, of a picture
   /// Adds what stands below all panels, from this corner on and at most so wide; returns its height. May be empty.
   std::function<double(const Element&, Point, double)> legend = {};
+  std::string more_style = {};  ///< beside picture_style()
 };
 
 /// At most three in a row. All have one viewBox: what does not move is in the same place.

@@ -51,12 +51,12 @@ std::string view_box(const LabelBox& box) {
 }
 
 std::string picture_file(const std::string& title, double scale,
-                         const std::function<DrawnPicture(const Element&)>& draw) {
+                         const std::function<DrawnPicture(const Element&)>& draw, const std::string& more_style) {
   const ElementTree document("svg");
   const Element svg = document.root().set("xmlns", "http://www.w3.org/2000/svg").set("role", "img");
   svg.add("title").text(title);
   const Element description = svg.add("desc");
-  svg.add("style").code(picture_style());
+  svg.add("style").code(picture_style() + more_style);
   const Element ground = svg.add("rect", "paper");
   svg.set("font-family", "system-ui, 'DejaVu Sans', sans-serif");
   const auto [words, box] = draw(svg);

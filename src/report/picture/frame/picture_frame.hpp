@@ -44,6 +44,7 @@ struct DrawnPicture {
   std::string description;
   LabelBox box;
 };
-std::string picture_file(const std::string& title, double scale, const std::function<DrawnPicture(const Element&)>& draw);
+std::string picture_file(const std::string& title, double scale,
+                         const std::function<DrawnPicture(const Element&)>& draw, const std::string& more_style = {});
 
 }  // namespace slipproof

@@ -37,23 +37,30 @@ LabelBox add_contact_table(const Element& svg, const MechanismScene& scene, cons
   return add_text_table(svg, rows, corner);
 }
 
-LabelBox add_text_table(const Element& svg, const std::vector<std::vector<std::string>>& rows, Point corner) {
-  double x = corner[0];
-  for (std::size_t column = 0; !rows.empty() && column < rows.front().size(); ++column) {
+LabelBox add_text_table(const Element& svg, const std::vector<std::vector<std::string>>& rows, Point corner,
+                        double most) {
+  std::vector<double> widths(rows.empty() ? 0 : rows.front().size());
+  double whole = 0;
+  for (std::size_t column = 0; column < widths.size(); ++column) {
     std::size_t widest = 0;
+    for (const auto& row : rows) widest = std::max(widest, utf8_count(row[column]));
+    if (widest > 0) widths[column] = table_letter * static_cast<double>(widest) + column_gap;
+    whole += widths[column];
+  }
+  const double share = std::min(1.0, most / std::max(whole - column_gap, 1.0));
+  double x = corner[0];
+  for (std::size_t column = 0; column < widths.size(); ++column) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      const std::string& words = rows[i][column];
-      widest = std::max(widest, utf8_count(words));
-      if (words.empty()) continue;
+      if (rows[i][column].empty()) continue;
       svg.add("text", column == 0 ? "ink" : "soft")
           .set("x", x)
           .set("y", corner[1] + table_row * static_cast<double>(i + 1) - 4)
-          .set("font-size", table_text)
-          .text(words);
+          .set("font-size", share * table_text)
+          .text(rows[i][column]);
     }
-    if (widest > 0) x += table_letter * static_cast<double>(widest) + column_gap;
+    x += share * widths[column];
   }
-  return {corner[0], corner[1], x - column_gap, corner[1] + contact_table_height(rows.size())};
+  return {corner[0], corner[1], x - share * column_gap, corner[1] + contact_table_height(rows.size())};
 }
 
 double contact_table_height(std::size_t contacts) {

@@ -1,6 +1,7 @@
 // Names for the contacts of a picture: beside each where they are few, otherwise letters that a table explains.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,10 @@ std::string contact_letter(std::size_t index);
 LabelBox add_contact_table(const Element& svg, const MechanismScene& scene, const MotionAtLoad* motion,
                            const std::vector<std::size_t>& contacts, const NumberWords& numbers, Point corner);
 
-/// Adds rows of equally many texts, the first of each in the colour of names; returns where they are.
-LabelBox add_text_table(const Element& svg, const std::vector<std::vector<std::string>>& rows, Point corner);
+/// Adds rows of equally many texts, the first of each in the colour of names, in smaller letters where they would be
+/// wider than `most`; returns where they are.
+LabelBox add_text_table(const Element& svg, const std::vector<std::vector<std::string>>& rows, Point corner,
+                        double most = std::numeric_limits<double>::max());
 
 /// How high a table of so many rows is.
 double contact_table_height(std::size_t contacts);

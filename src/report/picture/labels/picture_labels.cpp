@@ -1,6 +1,7 @@
 #include "report/picture/labels/picture_labels.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "base/input/utf8.hpp"
@@ -16,7 +17,18 @@ double width_of(const std::string& text, double size) {
   return letter_share * size * static_cast<double>(utf8_count(text));
 }
 
+/// A symbol, or a product of symbols as `M g`.
+bool is_name(const std::string& text) {
+  return std::ranges::all_of(text, [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == ' '; }) &&
+         std::isalpha(static_cast<unsigned char>(text[0])) != 0;
+}
+
 }  // namespace
+
+void PictureLabels::push(const std::vector<Point>& near, const std::string& name, const std::string& value) {
+  if (is_name(name)) return symbol(near, name, value);
+  symbol(near, {}, name + (value.empty() || value[0] == ' ' ? "" : " ") + value);
+}
 
 void PictureLabels::symbol(const std::vector<Point>& near, const std::string& symbol, const std::string& value) {
   double width = width_of(value, symbol_size) + value_gap;

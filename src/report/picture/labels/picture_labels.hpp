@@ -18,6 +18,8 @@ class PictureLabels {
 
   /// A symbol, set with its index, and its value; one of them may be empty.
   void symbol(const std::vector<Point>& near, const std::string& symbol, const std::string& value);
+  /// What pushes: its name is set as a symbol where it is one, or a product of some.
+  void push(const std::vector<Point>& near, const std::string& name, const std::string& value);
   void words(const std::vector<Point>& near, const std::string& words);
 
   /// Places and draws all labels, with lines to what they name where that is far; returns where they are.

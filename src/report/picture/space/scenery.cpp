@@ -155,18 +155,19 @@ void Scenery::draw(const Element& svg, const SpaceView& view, PictureLabels& lab
 
 void Scenery::draw_piece(const Element& svg, const Piece& piece, const SpaceView& view, PictureLabels& labels) const {
   const Element group = svg.add("g", piece.floor ? "plane" : "solid");
+  const bool from_below = piece.floor && dot(piece.solid.faces[0].normal, towards_) < 0;
+  if (from_below) group.set("opacity", 0.5);
   const Vec3 light = direction_of(0.55 * towards_ + 0.8 * geometry_.up + 0.35 * cross(towards_, geometry_.up));
   const Element faces = piece.floor ? group : group.add("g").set("opacity", 0.86);
   for (const Solid::Face& face : piece.solid.faces) {
-    if (!piece.floor && dot(face.normal, towards_) <= 1e-9) continue;
+    if (piece.solid.faces.size() > 1 && dot(face.normal, towards_) <= 1e-9) continue;
     std::vector<Vec3> corners;
     for (const std::size_t corner : face.corners) corners.push_back(piece.solid.corners[corner]);
     faces.add("path", piece.floor ? "floor" : shade_class((1 + dot(face.normal, light)) / 2))
         .set("d", path_through(corners, view));
   }
   for (const auto& shadow : piece.shadows) {
-    const bool below = dot(piece.floor ? piece.solid.faces[0].normal : geometry_.up, towards_) < 0;
-    if (!below) group.add("path", "shadow").set("d", path_through(shadow, view));
+    if (dot(geometry_.up, towards_) > 0) group.add("path", "shadow").set("d", path_through(shadow, view));
   }
   draw_edges(group, piece, view, labels);
 }

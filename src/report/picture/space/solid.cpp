@@ -8,6 +8,8 @@
 #include <set>
 #include <utility>
 
+#include "report/picture/space/flat.hpp"
+
 namespace slipproof {
 
 namespace {
@@ -148,6 +150,30 @@ class HullMaker {
   std::vector<std::array<std::size_t, 3>> triangles_;
 };
 
+/// The hull of points in one plane; nothing where they are in none, or on a line.
+std::vector<Vec3> flat_hull(const std::vector<Vec3>& points) {
+  const double close = 1e-9 * extent(points);
+  Vec3 normal{};
+  for (const Vec3& p : points) {
+    for (const Vec3& q : points) {
+      const Vec3 across = cross(p - points.front(), q - points.front());
+      if (length(across) > length(normal)) normal = across;
+    }
+  }
+  if (length(normal) <= close * extent(points)) return {};
+  normal = direction_of(normal);
+  const AcrossDirections across(normal);
+  std::vector<Point> flat;
+  for (const Vec3& p : points) {
+    const Vec3 arm = p - points.front();
+    if (std::abs(dot(normal, arm)) > close) return {};
+    flat.push_back({dot(across.first, arm), dot(across.second, arm)});
+  }
+  std::vector<Vec3> hull;
+  for (const Point& p : hull_of(flat)) hull.push_back(points.front() + p[0] * across.first + p[1] * across.second);
+  return hull;
+}
+
 /// Joins triangles of one plane to faces.
 std::vector<Solid::Face> joined(const std::vector<Vec3>& points, std::vector<std::array<std::size_t, 3>> triangles) {
   std::vector<Solid::Face> faces;
@@ -157,7 +183,8 @@ std::vector<Solid::Face> joined(const std::vector<Vec3>& points, std::vector<std
     std::map<std::size_t, std::size_t> next;
     const auto in_plane = [&](const std::array<std::size_t, 3>& t) {
       const Vec3 own = direction_of(cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]));
-      return dot(own, normal) > 1 - 1e-9 && std::abs(dot(normal, points[t[0]] - points[first[0]])) < 1e-7 * extent(points);
+      return dot(own, normal) > 1 - 1e-9 &&
+             std::abs(dot(normal, points[t[0]] - points[first[0]])) < 1e-7 * extent(points);
     };
     std::set<std::pair<std::size_t, std::size_t>> border;
     for (const auto& t : triangles) {
@@ -168,7 +195,8 @@ std::vector<Solid::Face> joined(const std::vector<Vec3>& points, std::vector<std
     std::erase_if(triangles, in_plane);
     for (const auto& [from, to] : border) next[from] = to;
     Solid::Face face;
-    for (std::size_t at = next.begin()->first; face.corners.size() < next.size(); at = next[at]) face.corners.push_back(at);
+    for (std::size_t at = next.begin()->first; face.corners.size() < next.size(); at = next[at])
+      face.corners.push_back(at);
     faces.push_back(std::move(face));
   }
   return faces;
@@ -229,6 +257,7 @@ Solid cylinder_solid(const Vec3& centre, const Vec3& axis, double radius, double
 
 Solid hull_solid(const std::vector<Vec3>& points) {
   Solid solid{points, {}, {}};
+  if (const std::vector<Vec3> flat = flat_hull(points); flat.size() >= 3) return flat_solid(flat);
   solid.faces = joined(points, HullMaker(points).triangles());
   return finished(std::move(solid));
 }
@@ -245,7 +274,8 @@ std::vector<std::size_t> painting_order(const std::vector<Solid>& solids, const 
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = i + 1; j < count; ++j) {
       const double touch = -1e-6 * (extent(solids[i].corners) + extent(solids[j].corners));
-      const Apart one = beyond_a_face(solids[i], solids[j], towards), two = beyond_a_face(solids[j], solids[i], towards);
+      const Apart one = beyond_a_face(solids[i], solids[j], towards),
+                  two = beyond_a_face(solids[j], solids[i], towards);
       bool second = dot(towards, solids[j].middle()) > dot(towards, solids[i].middle());
       if (std::max(one.by, two.by) > touch) second = one.by >= two.by ? one.seen : !two.seen;
       hides[i][j] = !second, hides[j][i] = second;

@@ -1,5 +1,5 @@
-// Convex solids of flat faces, as pictures draw them: built from shapes, seen from a side, and in the order in which they
-// hide each other.
+// Convex solids of flat faces, as pictures draw them: built from shapes, seen from a side, and in the order in which
+// they hide each other.
 #pragma once
 
 #include <cstddef>

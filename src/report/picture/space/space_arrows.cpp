@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "report/markup/symbol.hpp"
 #include "report/picture/labels/contact_table.hpp"
 #include "report/picture/polyline.hpp"
 #include "report/picture/space/flat.hpp"
@@ -39,12 +40,18 @@ std::optional<Vec3> force_at(const MechanismScene& scene, const SpaceMotion& mot
   return known ? std::optional(force) : std::nullopt;
 }
 
+/// 0 where the range holds it: it is not known to move.
+double sure_middle(const Range& range) {
+  const bool holds_zero = (!range.lower || range.lower->sign() <= 0) && (!range.upper || range.upper->sign() >= 0);
+  return holds_zero ? 0 : range_middle(range);
+}
+
 /// Its acceleration, and its angular acceleration.
 std::pair<Vec3, Vec3> accelerations(const SpaceGeometry::MovingBody& body, const SpaceMotion& motion) {
   std::array<double, 6> all = body.prescribed;
   for (std::size_t i = 0; i < 6; ++i) {
     const auto [unknown, sign] = body.unknowns[i];
-    if (sign != 0) all[i] = sign * range_middle(motion.accelerations[unknown]);
+    if (sign != 0) all[i] = sign * sure_middle(motion.accelerations[unknown]);
   }
   return {{all[0], all[1], all[2]}, {all[3], all[4], all[5]}};
 }
@@ -121,8 +128,7 @@ void SpaceArrows::contact_force(const SpaceGeometry::Contact& contact) {
   const bool determined =
       narrow(c.normal) && (!c.tangent || narrow(*c.tangent)) && (!c.second || narrow(c.second->force));
   if (contact.mu > 0) cone(contact, force_unit_ * dot(*force, contact.normal));
-  arrow(contact.at, contact.at + force_unit_ * *force, "friction",
-        determined ? ArrowLine::solid : ArrowLine::dashed);
+  arrow(contact.at, contact.at + force_unit_ * *force, "friction", determined ? ArrowLine::solid : ArrowLine::dashed);
   signs_.insert(determined ? SpaceSign::force : SpaceSign::open_force);
 }
 
@@ -130,15 +136,31 @@ void SpaceArrows::contact_directions(const SpaceGeometry::Contact& contact) {
   const MechanismContact& c = in_.scene.mechanism.contacts[contact.index];
   const double reach = plain_push / in_.view.scale();
   const auto direction = [&](std::size_t unknown, const Vec3& along, std::string_view css) {
+    constexpr double seen = 8;  // in pixels
     const Vec3 end = contact.at + reach * along;
     arrow(contact.at, end, css);
-    if (in_.lettered) return;
-    const Point tip = in_.view.pixel(end);
-    labels_.symbol({tip, halfway_to(in_.view.pixel(contact.at), tip)}, in_.scene.mechanism.unknowns[unknown].symbol, {});
+    const Point start = in_.view.pixel(contact.at), tip = in_.view.pixel(end);
+    if (in_.lettered || std::hypot(tip[0] - start[0], tip[1] - start[1]) < seen) return;
+    const std::string& symbol = in_.scene.mechanism.unknowns[unknown].symbol;  // the contact's name is beside it
+    name_once(symbol == "N_" + c.name ? "N" : symbol, start, tip);
   };
   direction(c.normal, contact.normal, "normal");
+  signs_.insert(SpaceSign::normal);
+  if (c.tangent) signs_.insert(SpaceSign::tangents);
   if (c.tangent) direction(*c.tangent, contact.first, "friction");
   if (c.second) direction(c.second->force, contact.second, "friction");
+}
+
+/// Contacts that are behind each other have one name for what looks the same.
+void SpaceArrows::name_once(const std::string& symbol, Point start, Point tip) {
+  constexpr double same_place = 10;
+  const auto same = [&](const auto& other) {
+    return other.first == plain_symbol(symbol) &&
+           std::hypot(other.second[0] - tip[0], other.second[1] - tip[1]) < same_place;
+  };
+  if (std::ranges::any_of(named_, same)) return;
+  named_.emplace_back(plain_symbol(symbol), tip);
+  labels_.symbol({tip, halfway_to(start, tip)}, symbol, {});
 }
 
 void SpaceArrows::cone(const SpaceGeometry::Contact& contact, double height) {
@@ -167,8 +189,8 @@ void SpaceArrows::slip(const SpaceGeometry::Contact& contact, const Range& degre
     return contact.at + reach * std::cos(angle * to_radians) * contact.first +
            reach * std::sin(angle * to_radians) * contact.second;
   };
-  const double middle = range_middle(degrees), width = range_middle({degrees.upper, degrees.upper}) -
-                                                    range_middle({degrees.lower, degrees.lower});
+  const double middle = range_middle(degrees),
+               width = range_middle({degrees.upper, degrees.upper}) - range_middle({degrees.lower, degrees.lower});
   if (width > seen) {
     std::vector<Vec3> sector{contact.at};
     constexpr int steps = 24;
@@ -186,16 +208,12 @@ void SpaceArrows::push(const SpaceGeometry::Push& push) {
   const bool plain = in_.motion == nullptr;
   described_.push_back("pushed by " + push.name);
   signs_.insert(SpaceSign::load);
-  const std::string words = push.name + (push.value.empty() ? "" : " " + push.value);
-  const bool is_name = push.name.find_first_of("*+-/( ") == push.name.npos;
   if (push.couple)
-    return turn(push.at, push.is, turn_radius + 5, "load", false, is_name ? push.value : words,
-                is_name ? push.name : "");
+    return labels_.push(turn(push.at, push.is, turn_radius + 5, "load", ArrowLine::solid), push.name, push.value);
   const Vec3 way = (plain ? plain_push / in_.view.scale() : force_unit_ * length(push.is)) * direction_of(push.is);
   arrow(push.at - way, push.at, "load");
   const Point start = in_.view.pixel(push.at - way), end = in_.view.pixel(push.at);
-  is_name ? labels_.symbol({start, halfway_to(start, end)}, push.name, push.value)
-          : labels_.symbol({start, halfway_to(start, end)}, {}, words);
+  labels_.push({start, halfway_to(start, end)}, push.name, push.value);
 }
 
 void SpaceArrows::weight(const SpaceGeometry::Weight& weight) {
@@ -215,8 +233,9 @@ void SpaceArrows::body(const SpaceGeometry::MovingBody& body) {
   const auto turning = [&](const Vec3& axis, bool before, double largest) {
     if (length(axis) <= nothing * largest || largest == 0) return;
     const std::string words = (before ? "spin " : "turning ") + rounded_value(length(axis));
-    turn(body.at, axis, before ? turn_radius : turn_radius + 8, before ? "velocity" : "acceleration", !before,
-         named() ? words : "");
+    const auto places = turn(body.at, axis, before ? turn_radius : turn_radius + 8,
+                             before ? "velocity" : "acceleration", before ? ArrowLine::solid : ArrowLine::dotted);
+    if (named()) labels_.words(places, words);
     signs_.insert(before ? SpaceSign::velocity : SpaceSign::acceleration);
     described_.push_back(body.name + ": " + words);
   };
@@ -239,8 +258,8 @@ void SpaceArrows::straight(const Vec3& at, const Vec3& way, bool before, const s
   described_.push_back(name + ": " + words);
 }
 
-void SpaceArrows::turn(const Vec3& at, const Vec3& axis, double radius, std::string_view css, bool dotted,
-                       const std::string& words, const std::string& symbol) {
+std::vector<Point> SpaceArrows::turn(const Vec3& at, const Vec3& axis, double radius, std::string_view css,
+                                     ArrowLine line) {
   constexpr int steps = 24;
   const AcrossDirections across(direction_of(axis));
   const double reach = radius / in_.view.scale();
@@ -254,13 +273,12 @@ void SpaceArrows::turn(const Vec3& at, const Vec3& axis, double radius, std::str
     if (i % 6 == 0) near.push_back(p);
   }
   const Element path = svg_.add("path", css).set("style", "fill:none").set("d", path_of(arc));
-  if (dotted) path.set("stroke-dasharray", "1.5 2.5");
+  if (line == ArrowLine::dotted) path.set("stroke-dasharray", "1.5 2.5");
   const Pixel before = arc[arc.size() - 2], end = arc.back();
   const double dx = end.x - before.x, dy = end.y - before.y, step = std::max(std::hypot(dx, dy), 0.1);
   add_arrow(svg_, {end.x, end.y}, 8 * dx / step, 8 * dy / step, css);
   ends_.push_back({end.x + 8 * dx / step, end.y + 8 * dy / step});
-  if (symbol.empty()) return labels_.words(near, words);
-  labels_.symbol(near, symbol, words);
+  return near;
 }
 
 }  // namespace slipproof

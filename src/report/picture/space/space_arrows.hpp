@@ -1,5 +1,5 @@
-// The arrows in the picture of a scene in space: forces of contacts in their cones, slips, pushes, weights, velocities and
-// accelerations.
+// The arrows in the picture of a scene in space: forces of contacts in their cones, slips, pushes, weights, velocities
+// and accelerations.
 #pragma once
 
 #include <set>
@@ -47,15 +47,15 @@ class SpaceArrows {
   void contact(std::size_t number);
   void contact_force(const SpaceGeometry::Contact& contact);
   void contact_directions(const SpaceGeometry::Contact& contact);
+  void name_once(const std::string& symbol, Point start, Point tip);
   void cone(const SpaceGeometry::Contact& contact, double height);
   void slip(const SpaceGeometry::Contact& contact, const Range& degrees);
   void push(const SpaceGeometry::Push& push);
   void weight(const SpaceGeometry::Weight& weight);
   void body(const SpaceGeometry::MovingBody& body);
   void straight(const Vec3& at, const Vec3& way, bool before, const std::string& name, double size);
-  /// Part of a circle around an axis, with an arrow at its end.
-  void turn(const Vec3& at, const Vec3& axis, double radius, std::string_view css, bool dotted,
-            const std::string& words, const std::string& symbol = {});
+  /// Part of a circle around an axis, with an arrow at its end; returns places for its label.
+  std::vector<Point> turn(const Vec3& at, const Vec3& axis, double radius, std::string_view css, ArrowLine line);
   Point see(const Vec3& p);
   void arrow(const Vec3& from, const Vec3& to, std::string_view css, ArrowLine line = ArrowLine::solid);
   bool named() const { return in_.geometry.bodies.size() <= 3; }
@@ -65,6 +65,7 @@ class SpaceArrows {
   PictureLabels& labels_;
   double force_unit_ = 0;  ///< length in the scene of a force of 1
   std::vector<Point> ends_;
+  std::vector<std::pair<std::string, Point>> named_;
   std::vector<std::string> described_;
   std::set<SpaceSign> signs_;
 };

@@ -161,8 +161,8 @@ class SpaceReader {
     if (joint.to_axis) drawn.axes.push_back(direction_of(frames_[joint.second].in_scene(vector(joint.to_axis))));
     for (const auto& [body, place] : {std::pair{joint.first, drawn.at}, std::pair{joint.second, drawn.to}}) {
       const Vec3 arm = place - frames_[body].at;
-      points_[body].push_back({dot(arm, frames_[body].axes[0]), dot(arm, frames_[body].axes[1]),
-                               dot(arm, frames_[body].axes[2])});
+      points_[body].push_back(
+          {dot(arm, frames_[body].axes[0]), dot(arm, frames_[body].axes[1]), dot(arm, frames_[body].axes[2])});
     }
     if (joint.kind == Kind::spring && joint.tension) add_tension(joint, drawn);
     result_.joints.push_back(std::move(drawn));
@@ -172,7 +172,7 @@ class SpaceReader {
     const Vec3 pull = number(joint.tension) * direction_of(spring.to - spring.at);
     if (!(length(pull) > 0)) return;
     const auto [name, value] = numbers_.text_of(joint.tension);
-    if (joint.first != ground) result_.pushes.push_back({spring.at + Vec3{}, pull, false, name, value});
+    if (joint.first != ground) result_.pushes.push_back({spring.at, pull, false, name, value});
     if (joint.second != ground) result_.pushes.push_back({spring.to, -1 * pull, false, name, value});
   }
 

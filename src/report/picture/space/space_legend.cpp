@@ -10,6 +10,10 @@ namespace {
 
 std::string_view meaning_of(SpaceSign sign) {
   switch (sign) {
+    case SpaceSign::normal:
+      return "N of a contact";
+    case SpaceSign::tangents:
+      return "T1 and T2";
     case SpaceSign::force:
       return "force of a contact";
     case SpaceSign::cone:
@@ -35,6 +39,9 @@ std::string_view meaning_of(SpaceSign sign) {
 void add_sample(const Element& svg, SpaceSign sign, double x, double y) {
   const Point from{x, y}, to{x + 26, y};
   switch (sign) {
+    case SpaceSign::normal:
+      return add_arrow(svg, from, 26, 0, "normal");
+    case SpaceSign::tangents:
     case SpaceSign::force:
       return add_arrow(svg, from, 26, 0, "friction");
     case SpaceSign::open_force:
@@ -62,7 +69,7 @@ void add_sample(const Element& svg, SpaceSign sign, double x, double y) {
 }  // namespace
 
 double add_space_legend(const Element& svg, const std::set<SpaceSign>& signs, Point corner, double width) {
-  constexpr double line = 19, letter = 7.2, sample = 32, between = 14;
+  constexpr double line = 19, letter = 6.6, sample = 32, between = 14;
   const Element group = svg.add("g", "legend");
   double x = corner[0], y = corner[1] + line / 2;
   for (const SpaceSign sign : signs) {

@@ -9,7 +9,19 @@
 
 namespace slipproof {
 
-enum class SpaceSign : std::uint8_t { force, cone, open_force, load, velocity, acceleration, slip, sliding, shadow };
+enum class SpaceSign : std::uint8_t {
+  normal,
+  tangents,
+  force,
+  cone,
+  open_force,
+  load,
+  velocity,
+  acceleration,
+  slip,
+  sliding,
+  shadow
+};
 
 /// Adds a sample of each with its meaning, in lines of at most this width; returns their height.
 double add_space_legend(const Element& svg, const std::set<SpaceSign>& signs, Point corner, double width);

@@ -10,6 +10,7 @@
 #include "report/markup/symbol.hpp"
 #include "report/picture/frame/panels.hpp"
 #include "report/picture/labels/contact_table.hpp"
+#include "report/picture/palette.hpp"
 #include "report/picture/space/scenery.hpp"
 #include "report/picture/space/space_arrows.hpp"
 
@@ -78,11 +79,11 @@ class SpacePicture {
 
   /// Bodies where there are several, and joints, unless there are many.
   void name_parts(PictureLabels& labels) const {
-    constexpr std::size_t most = 6;
+    constexpr std::size_t most = 6, most_joints = 2;
     if (geometry_.bodies.size() > 1 && geometry_.bodies.size() <= most) {
       for (const auto& body : geometry_.bodies) labels.words({view_.pixel(body.at)}, body.name);
     }
-    if (geometry_.joints.size() > most) return;
+    if (geometry_.joints.size() > most_joints) return;
     for (const auto& joint : geometry_.joints) labels.words({view_.pixel(joint.at)}, joint.name);
   }
 
@@ -90,8 +91,9 @@ class SpacePicture {
   void below(const Element& svg, const SpaceMotion* motion, PictureFrame& frame, bool lettered) const {
     const double left = frame.drawn().left, top = frame.drawn().bottom + 6;
     axes(svg, {left + axes_room / 2 - 4, top + axes_room / 2});
-    if (motion != nullptr)
-      frame.see(add_text_table(svg, contact_rows(scene_, *motion, numbers_, lettered), {left + axes_room, top + 4}));
+    const auto rows = contact_rows(scene_, motion, numbers_, lettered);
+    if (!rows.empty())
+      frame.see(add_text_table(svg, rows, {left + axes_room, top + 4}, PictureFrame::widest - axes_room));
     frame.see(LabelBox{left, top, left + axes_room, top + axes_room});
   }
   void axes(const Element& svg, Point at) const {
@@ -106,7 +108,10 @@ class SpacePicture {
       if (size < 3) continue;
       group.add("line", "frame").set("x1", at[0]).set("y1", at[1]).set("x2", at[0] + dx).set("y2", at[1] + dy);
       const double away = (size + 7) / size;
-      group.add("text", "soft").set("x", at[0] + away * dx - 3).set("y", at[1] + away * dy + 4).set("font-size", 11)
+      group.add("text", "soft")
+          .set("x", at[0] + away * dx - 3)
+          .set("y", at[1] + away * dy + 4)
+          .set("font-size", 11)
           .text(names[i]);
     }
   }
@@ -125,22 +130,25 @@ std::string single_file(const MechanismScene& scene, const SpaceMotion* motion, 
   const std::vector<SpaceMotion> shown = motion == nullptr ? std::vector<SpaceMotion>{} : std::vector{*motion};
   SpacePicture picture(scene, shown, from);
   const std::string mode = motion == nullptr ? "" : heading_of(*motion);
-  return picture_file(scene.name + (mode.empty() ? "" : ": " + mode), 1.6, [&](const Element& svg) {
-    PictureFrame frame(svg);
-    const std::vector<std::string> described = picture.draw(svg, motion, frame);
-    std::vector<std::string> pieces;
-    if (scene.mechanism.load && scene.load) pieces.push_back(load_text(scene, picture.numbers().words()));
-    if (motion == nullptr) pieces.emplace_back("arrows show positive directions, not to scale");
-    if (motion != nullptr && !kind_of(*motion).empty()) pieces.push_back(kind_of(*motion));
-    frame.caption(pieces);
-    const LabelBox drawn = frame.drawn();
-    const double height =
-        add_space_legend(svg, picture.signs(), {drawn.left, drawn.bottom + 8}, PictureFrame::widest - 20);
-    frame.see(LabelBox{drawn.left, drawn.top, std::max(drawn.right, drawn.left + PictureFrame::widest - 20),
-                       drawn.bottom + 8 + height});
-    frame.heading(scene.name, mode);
-    return DrawnPicture{fmt::format("{}.", fmt::join(described, "; ")), frame.box()};
-  });
+  return picture_file(
+      scene.name + (mode.empty() ? "" : ": " + mode), 1.6,
+      [&](const Element& svg) {
+        PictureFrame frame(svg);
+        const std::vector<std::string> described = picture.draw(svg, motion, frame);
+        std::vector<std::string> pieces;
+        if (scene.mechanism.load && scene.load) pieces.push_back(load_text(scene, picture.numbers().words()));
+        if (motion == nullptr) pieces.emplace_back("arrows show positive directions, not to scale");
+        if (motion != nullptr && !kind_of(*motion).empty()) pieces.push_back(kind_of(*motion));
+        frame.caption(pieces);
+        const LabelBox drawn = frame.drawn();
+        const double height =
+            add_space_legend(svg, picture.signs(), {drawn.left, drawn.bottom + 8}, PictureFrame::widest - 20);
+        frame.see(LabelBox{drawn.left, drawn.top, std::max(drawn.right, drawn.left + PictureFrame::widest - 20),
+                           drawn.bottom + 8 + height});
+        frame.heading(scene.name, mode);
+        return DrawnPicture{fmt::format("{}.", fmt::join(described, "; ")), frame.box()};
+      },
+      space_style());
 }
 
 /// `F = 3 N, 2 motions, and it is proved that there is no other`.
@@ -167,20 +175,21 @@ std::string space_motions_svg_file(const SolvedSpace& solved, const Vec3& from) 
   for (std::size_t i = 0; i < std::max<std::size_t>(solved.motions.size(), 1); ++i) {
     const SpaceMotion* const motion = i < solved.motions.size() ? &solved.motions[i] : nullptr;
     const std::string heading = motion == nullptr ? "" : fmt::format("{}: {}", i + 1, heading_of(*motion));
-    sheet.panels.push_back(
-        {heading, motion == nullptr ? "" : kind_of(*motion), [&, motion, heading](const Element& parent, LabelBox& seen) {
-           const Element svg = parent.add("svg", "mechanism").set("role", "img");
-           svg.add("title").text(motion == nullptr ? "no motion" : heading);
-           const Element description = svg.add("desc");
-           PictureFrame frame(svg);
-           description.text(fmt::format("{}.", fmt::join(picture.draw(svg, motion, frame), "; ")));
-           seen = frame.box();
-           return svg;
-         }});
+    sheet.panels.push_back({heading, motion == nullptr ? "" : kind_of(*motion),
+                            [&, motion, heading](const Element& parent, LabelBox& seen) {
+                              const Element svg = parent.add("svg", "mechanism").set("role", "img");
+                              svg.add("title").text(motion == nullptr ? "no motion" : heading);
+                              const Element description = svg.add("desc");
+                              PictureFrame frame(svg);
+                              description.text(fmt::format("{}.", fmt::join(picture.draw(svg, motion, frame), "; ")));
+                              seen = frame.box();
+                              return svg;
+                            }});
   }
   sheet.legend = [&](const Element& svg, Point corner, double width) {
     return add_space_legend(svg, picture.signs(), corner, width);
   };
+  sheet.more_style = space_style();
   return panels_svg_file(sheet);
 }
 

@@ -1,4 +1,5 @@
-// A scene in space drawn from the shapes of its bodies, in parallel projection, with the forces of its motions as arrows.
+// A scene in space drawn from the shapes of its bodies, in parallel projection, with the forces of its motions as
+// arrows.
 #pragma once
 
 #include <string>
@@ -11,8 +12,8 @@ namespace slipproof {
 /// An SVG file, seen from a direction (view_direction()), with up against gravity. Solids hide what is behind them, and
 /// throw shadows straight down onto the planes that they touch. The force of a contact begins there, in its friction
 /// cone, whose circle is as high as N and mu times as wide; forces of one file are to scale. A force that is not known
-/// narrowly is dashed, at the middle of its range. Where a contact slips, an arrow in its plane shows the direction, and
-/// a sector all directions of its enclosure. Velocities are thin, accelerations dotted. A table says the numbers.
+/// narrowly is dashed, at the middle of its range. Where a contact slips, an arrow in its plane shows the direction,
+/// and a sector all directions of its enclosure. Velocities are thin, accelerations dotted. A table says the numbers.
 /// Without a motion, arrows show the positive directions of N, T1 and T2. Throws InputError if a coordinate has no
 /// value, or nothing has a place.
 std::string space_svg_file(const MechanismScene& scene, const Vec3& from);

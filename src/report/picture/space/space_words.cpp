@@ -54,8 +54,7 @@ std::string kind_of(const SpaceMotion& motion) {
   } else if (!motion.unique) {
     words.emplace_back("one of a continuum");
   }
-  if (motion.open_directions > 0)
-    words.push_back("forces open along " + counted(motion.open_directions, "direction"));
+  if (motion.open_directions > 0) words.push_back("forces open along " + counted(motion.open_directions, "direction"));
   return listed(words);
 }
 
@@ -93,27 +92,32 @@ std::string SpaceNumbers::text(const std::optional<Range>& range) const {
   return "≈ " + text.substr(text.find(' ') + 1);
 }
 
-std::string SpaceNumbers::bare(const std::optional<Range>& range) const {
-  std::string whole = text(range);
-  for (const std::string_view sign : {"= ", "≈ ", "in "}) {
-    if (whole.starts_with(sign)) whole.erase(0, sign.size());
+std::string SpaceNumbers::pair(const std::optional<Range>& first, const std::optional<Range>& second) const {
+  std::string both = "(", sign = "= ";
+  for (const auto* one : {&first, &second}) {
+    std::string whole = text(*one);
+    if (whole.starts_with("≈ ") || whole.starts_with("in ≈ ")) sign = "≈ ";
+    for (const std::string_view prefix : {"in ", "= ", "≈ "}) {
+      if (whole.starts_with(prefix)) whole.erase(0, prefix.size());
+    }
+    both += whole + (one == &first ? ", " : ")");
   }
-  return whole;
+  return sign + both;
 }
 
-std::vector<std::vector<std::string>> contact_rows(const MechanismScene& scene, const SpaceMotion& motion,
+std::vector<std::vector<std::string>> contact_rows(const MechanismScene& scene, const SpaceMotion* motion,
                                                    const SpaceNumbers& numbers, bool lettered) {
   const Mechanism& m = scene.mechanism;
   std::vector<std::vector<std::string>> rows;
-  for (std::size_t i = 0; i < m.contacts.size(); ++i) {
+  for (std::size_t i = 0; i < m.contacts.size() && (motion != nullptr || lettered); ++i) {
     const MechanismContact& c = m.contacts[i];
-    const auto force = [&](std::size_t unknown) { return motion.forces[unknown - m.accelerations]; };
-    std::string state = motion.modes[i];
-    if (motion.slips[i]) state += " at " + angle_text(*motion.slips[i]);
-    std::vector<std::string> row{lettered ? contact_letter(i) + "  " + c.name : c.name, state, {}, {}};
-    if (motion.modes[i] != "lift") {
-      row[2] = "N " + numbers.text(force(c.normal));
-      if (c.second) row[3] = "T (" + numbers.bare(force(*c.tangent)) + ", " + numbers.bare(force(c.second->force)) + ")";
+    std::vector<std::string> row{lettered ? contact_letter(i) + "  " + c.name : c.name, {}, {}, {}};
+    if (motion != nullptr) {
+      const auto force = [&](std::size_t unknown) { return motion->forces[unknown - m.accelerations]; };
+      row[1] = motion->modes[i] + (motion->slips[i] ? " at " + angle_text(*motion->slips[i]) : "");
+      if (motion->modes[i] != "lift") row[2] = "N " + numbers.text(force(c.normal));
+      if (motion->modes[i] != "lift" && c.second)
+        row[3] = "T " + numbers.pair(force(*c.tangent), force(c.second->force));
     }
     rows.push_back(std::move(row));
   }

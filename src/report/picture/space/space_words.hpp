@@ -33,16 +33,16 @@ class SpaceNumbers {
   bool is_narrow(const Range& range) const;
   /// `= 3/4`, `≈ 2.45`, `in ≈ [1, 2]`; `open` for nothing.
   std::string text(const std::optional<Range>& range) const;
-  /// The same without `=` or `≈`.
-  std::string bare(const std::optional<Range>& range) const;
+  /// `≈ (2.45, −1)`.
+  std::string pair(const std::optional<Range>& first, const std::optional<Range>& second) const;
 
  private:
   double scale_ = 0;  ///< of the numbers
   NumberWords words_;
 };
 
-/// A line for each contact: its name, what it does, and its forces.
-std::vector<std::vector<std::string>> contact_rows(const MechanismScene& scene, const SpaceMotion& motion,
+/// A line for each contact: its name, what it does, and its forces; without a motion only what letters stand for.
+std::vector<std::vector<std::string>> contact_rows(const MechanismScene& scene, const SpaceMotion* motion,
                                                    const SpaceNumbers& numbers, bool lettered);
 
 /// `A: slip`; the name alone without a motion.
