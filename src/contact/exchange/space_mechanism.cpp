@@ -240,7 +240,7 @@ class SpaceWriter {
       text += "friction = " + toml(friction_at(scene_, *c.shape_on, *c.shape_of, options_, mistakes_)) + "\n";
       ++result_.contacts;
       held_[c.of] = held_[c.on] = true;
-      if (!c.distance.is_zero()) {
+      if (abs(c.distance) > Rational(1, 1'000'000'000'000)) {  // less is how numbers were rounded
         scene_.import_notes.push_back(own + ": " + distance_in_words(c.distance) + ", moved to touch");
       }
       if (c.only_at_rest && moving) {

@@ -237,7 +237,10 @@ class SdfReader {
         return scene_.joints.push_back(std::move(result));
       case sdf::JointType::UNIVERSAL:
       case sdf::JointType::REVOLUTE2:
-        return add_two_hinges(std::move(result), joint, pose);
+        return add_two(std::move(result), joint, pose);
+      case sdf::JointType::SCREW:
+        scene_.import_notes.push_back(result.name + ": a screw, whose thread is left out: it turns and slides freely");
+        return add_two(std::move(result), joint, pose);
       default:
         return mistakes_.add(result.place, result.name + another_type);
     }
@@ -245,8 +248,8 @@ class SdfReader {
   static constexpr const char* another_type =
       ": found a joint of another type, expected fixed, revolute, continuous or prismatic";
 
-  /// Two hinges with a massless link between them.
-  void add_two_hinges(Joint joint, const sdf::Joint& given, const Pose& pose) {
+  /// Two hinges, or the hinge and the slide of a screw, with a massless link between them.
+  void add_two(Joint joint, const sdf::Joint& given, const Pose& pose) {
     scene_.only_in_space.push_back({joint.place, joint.name + another_type, ""});
     scene_.excluded.emplace_back(joint.first, joint.second);
     joint.kind = Joint::Kind::hinge;
@@ -257,10 +260,12 @@ class SdfReader {
     link.massless = true;
     Joint second = joint;
     second.name += "_2";
+    const bool screw = given.Type() == sdf::JointType::SCREW;
+    if (screw) second.kind = Joint::Kind::slide;
     joint.second = second.first = scene_.bodies.size();
     scene_.bodies.push_back(std::move(link));
     add(std::move(joint), given.Axis(0), pose);
-    add(std::move(second), given.Axis(1), pose);
+    add(std::move(second), given.Axis(screw ? 0 : 1), pose);
   }
 
   void add(Joint joint, const sdf::JointAxis* axis, const Pose& pose) {

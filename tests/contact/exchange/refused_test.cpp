@@ -187,7 +187,7 @@ TEST_CASE("forty foreign and hostile SDF files are refused clearly") {
          {"<static>true</static>", "", "plane on a body that moves"},
          {"</sdf>", deep, "found no XML"},
          {"<model name=\"m\">", "<model name=\"m\"><model name=\"inner\"><link name=\"x\"/></model>",
-          "inner_x has no inertia"}});
+          "body m_inner_x: nothing holds it"}});
 }
 
 TEST_CASE("forty foreign and hostile MJCF files are refused clearly") {

@@ -42,13 +42,7 @@ class SceneContacts {
     std::string why;
     const std::vector<TouchPoint> points = touching(solid(a), solid(b), touch_, why);
     for (const TouchPoint& point : points) add(i, a, j, b, point);
-    for (const Shape* shape : {&a, &b}) {
-      if (shape->kind == Shape::Kind::cylinder && points.size() == 4 &&
-          std::ranges::find(rims_, shape) == rims_.end()) {
-        rims_.push_back(shape);
-        notes_.push_back(shape->name + " stands on a disc: four points of its rim touch");
-      }
-    }
+    if (points.size() == 4) note_rim(points[0].swapped ? b : a);
     if (why.empty()) return;
     // What stands still belongs to the robots that joints hold to it.
     const bool of_one = i == 0 ? a.kind != Shape::Kind::plane && on_ground_[trees_[j]] : trees_[i] == trees_[j];
@@ -58,6 +52,12 @@ class SceneContacts {
     } else {
       mistakes_.add(b.place, b.name + " and " + a.name + " " + why);
     }
+  }
+
+  void note_rim(const Shape& shape) {
+    if (shape.kind != Shape::Kind::cylinder || std::ranges::find(rims_, &shape) != rims_.end()) return;
+    rims_.push_back(&shape);
+    notes_.push_back(shape.name + " stands on a disc: four points of its rim touch");
   }
 
   struct Ball {

@@ -21,7 +21,9 @@ class CouplingReader {
     }
     for (int i = 0; i < m_.nexclude; ++i) {
       const auto pair = static_cast<unsigned>(m_.exclude_signature[i]);
-      c_.scene.excluded.emplace_back(number(static_cast<int>(pair >> 16U)), number(static_cast<int>(pair & 0xffffU)));
+      // Both count from 1 there.
+      c_.scene.excluded.emplace_back(number(static_cast<int>(pair >> 16U) - 1),
+                                     number(static_cast<int>(pair & 0xffffU) - 1));
     }
     if (m_.npair > 0) c_.tell("pairs that the file says touch are found by their shapes, with these' friction");
     tendons();
