@@ -24,6 +24,9 @@ struct SpaceMotion {
   std::optional<Rational> others_within;
   std::size_t open_directions = 0;  ///< of its forces: those above are some of them
   bool strict = false;              ///< no condition of its mode holds with equality
+
+  /// Whether it is one of a family that moves in different ways.
+  bool is_continuum() const { return !unique && !others_within; }
 };
 
 struct SolvedSpace {

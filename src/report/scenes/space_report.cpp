@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/number/format.hpp"
 #include "mechanics/mechanism/words.hpp"
 #include "report/picture/space/space_words.hpp"
@@ -20,11 +22,13 @@ class SpaceText {
 
   Document whole() {
     document_ = scene_document(solved_.scene, m_.name + ", " + counted(m_.contacts.size(), "contact") + " in space");
-    std::string heading = counted(solved_.motions.size(), "motion");
+    std::string heading = counted_motions(solved_);
     if (m_.load) {
       heading = fmt::format("{} = {} {}: {}", m_.load->symbol, exact_text(*solved_.scene.load), m_.load->unit, heading);
     }
-    heading += solved_.complete() ? ", and it is proved that there is no other" : ", and there may be others";
+    if (solved_.complete()) {
+      heading += are_near() ? ", and it is proved that any other is near" : ", and it is proved that there is no other";
+    }
     Document& section = document_.section(heading);
     for (const SpaceMotion& motion : solved_.motions) write(section, motion);
     if (!solved_.complete()) write_undecided();
@@ -34,6 +38,10 @@ class SpaceText {
   }
 
  private:
+  bool are_near() const {
+    return std::ranges::any_of(solved_.motions, [](const SpaceMotion& m) { return m.others_within.has_value(); });
+  }
+
   std::string text_of(const Range& range) const {
     if (range.is_point()) return number_text(*range.lower, digits_);
     return "in [" + decimal_text(*range.lower, digits_ + 6) + ", " + decimal_text(*range.upper, digits_ + 6) + "]";
@@ -44,8 +52,8 @@ class SpaceText {
     if (motion.others_within) {
       below.line("others may be near, whose gaps and slips differ by at most " +
                  decimal_text(*motion.others_within, 2));
-    } else if (!motion.unique) {
-      below.line("one of a continuum of motions");
+    } else if (motion.is_continuum()) {
+      below.line("one of the continuum: how forces are shared decides how it moves");
     }
     if (motion.open_directions > 0) {
       below.line("forces are open along " + counted(motion.open_directions, "direction") + ": these are some of them");

@@ -151,12 +151,11 @@ std::string single_file(const MechanismScene& scene, const SpaceMotion* motion, 
       space_style());
 }
 
-/// `F = 3 N, 2 motions, and it is proved that there is no other`.
+/// `F = 3 N, 2 motions`.
 std::string counted_in_space(const SolvedSpace& solved, const SpaceNumbers& numbers) {
   std::string text;
   if (solved.scene.mechanism.load && solved.scene.load) text = load_text(solved.scene, numbers.words()) + ", ";
-  text += solved.motions.empty() ? "no motion" : counted(solved.motions.size(), "motion");
-  return text + (solved.complete() ? "" : ", and there may be others");
+  return text + counted_motions(solved);
 }
 
 }  // namespace

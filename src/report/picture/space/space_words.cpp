@@ -47,11 +47,21 @@ std::string heading_of(const SpaceMotion& motion) {
   return text + (motion.strict ? "" : " (boundary)");
 }
 
+std::string counted_motions(const SolvedSpace& solved) {
+  const auto continua = static_cast<std::size_t>(std::ranges::count_if(solved.motions, &SpaceMotion::is_continuum));
+  const std::size_t others = solved.motions.size() - continua;
+  std::vector<std::string> words;
+  if (others > 0 || continua == 0) words.push_back(others == 0 ? "no motion" : counted(others, "motion"));
+  if (continua == 1) words.emplace_back("a continuum of motions");
+  if (continua > 1) words.push_back(fmt::format("{} continua of motions", continua));
+  return listed(words, " and ") + (solved.complete() ? "" : ", and there may be others");
+}
+
 std::string kind_of(const SpaceMotion& motion) {
   std::vector<std::string> words;
   if (motion.others_within) {
     words.emplace_back("others may be near");
-  } else if (!motion.unique) {
+  } else if (motion.is_continuum()) {
     words.emplace_back("one of a continuum");
   }
   if (motion.open_directions > 0) words.push_back("forces open along " + counted(motion.open_directions, "direction"));

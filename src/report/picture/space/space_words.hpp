@@ -14,6 +14,8 @@ namespace slipproof {
 std::string mode_of(const SpaceMotion& motion);
 /// The same as a heading holds it: of many contacts how many do what; `(boundary)` where the mode holds only just.
 std::string heading_of(const SpaceMotion& motion);
+/// `2 motions and a continuum of motions, and there may be others`.
+std::string counted_motions(const SolvedSpace& solved);
 /// What is below the heading: `one of a continuum, forces open along 1 direction`; empty for a motion alone.
 std::string kind_of(const SpaceMotion& motion);
 /// `26.6°`; `[20°, 31.5°]`.
