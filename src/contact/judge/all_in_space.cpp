@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
+
 #include "base/number/binary64.hpp"
 #include "contact/complete/closing.hpp"
 
@@ -60,7 +63,8 @@ std::string mode_text(const ContactPattern& mode, std::size_t dimension) {
 
 /// Whether no condition of its mode holds with equality.
 bool is_strict(const ExactContacts& contacts, const SpatialMotion& motion) {
-  if (!motion.is_exact()) return true;  // the box of its forces would not be in the cones
+  // The box of other forces would not be in the cones.
+  if (!motion.is_exact()) return std::ranges::none_of(motion.touching, std::identity());
   for (std::size_t k = 0; k < motion.mode.size(); ++k) {
     const std::size_t i = contacts.normal(k);
     const bool is_open = motion.mode[k].kind == Kind::open;
