@@ -7,11 +7,11 @@
 
 #include "contact/exchange/planar.hpp"
 #include "contact/exchange/written.hpp"
-#include "contact/imported/parsers.hpp"
 #include "contact/imported/read_scene.hpp"
 #include "mechanics/kernel/motions.hpp"
 #include "mechanics/points/problem.hpp"
 #include "mechanics/reading/read_mechanism.hpp"
+#include "support/parsers.hpp"
 
 using namespace slipproof;
 using test::WrittenScene;
@@ -128,13 +128,6 @@ std::vector<std::vector<Rational>> motions(const std::string& text) {
   result.push_back({static_cast<int>(found.continua.size()), static_cast<int>(mechanism.contacts.size())});
   std::ranges::sort(result);
   return result;
-}
-
-bool has_parsers() {
-  std::string why;
-  const bool found = imported::find_parsers(why) != nullptr;
-  if (!found) MESSAGE("not tried: " << why);
-  return found;
 }
 
 const std::vector<Values> numbers{

@@ -9,23 +9,16 @@
 #include "base/input/diagnostic.hpp"
 #include "contact/exchange/shapes/pairs.hpp"
 #include "contact/exchange/space_mechanism.hpp"
-#include "contact/imported/parsers.hpp"
 #include "contact/imported/read_scene.hpp"
 #include "mechanics/bodies/bodies.hpp"
 #include "mechanics/reading/read_mechanism.hpp"
+#include "support/parsers.hpp"
 
 using namespace slipproof;
 using imported::Shape;
 using imported::Vector;
 
 namespace {
-
-bool has_parsers() {
-  std::string why;
-  const bool found = imported::find_parsers(why) != nullptr;
-  if (!found) MESSAGE("not tried: " << why);
-  return found;
-}
 
 struct Imported {
   Mechanism mechanism;
@@ -61,7 +54,7 @@ std::string refusal(const std::string& text, const imported::SpaceOptions& optio
   }
 }
 
-std::string mjcf(const std::string& world, const std::string& more = {}) {
+std::string mjcf_of(const std::string& world, const std::string& more = {}) {
   return "<mujoco model=\"m\"><worldbody><geom name=\"floor\" type=\"plane\" size=\"1 1 1\"/>" + world +
          "</worldbody>" + more + "</mujoco>";
 }
@@ -144,9 +137,9 @@ TEST_CASE("round shapes touch at their nearest points, and are told apart") {
 TEST_CASE("several joints of one body have massless links between them, armatures are rotors") {
   if (!has_parsers()) return;
   const auto found = import_text(
-      mjcf("<body name=\"a\" pos=\"0 0 1\"><freejoint/><geom type=\"sphere\" size=\"1\" mass=\"1\"/>"
-           "<body name=\"b\" pos=\"0 0 3\"><joint name=\"x\" axis=\"1 0 0\"/><joint name=\"y\" axis=\"0 1 0\" "
-           "armature=\"0.5\"/><geom type=\"sphere\" size=\"0.5\" mass=\"1\"/></body></body>"));
+      mjcf_of("<body name=\"a\" pos=\"0 0 1\"><freejoint/><geom type=\"sphere\" size=\"1\" mass=\"1\"/>"
+              "<body name=\"b\" pos=\"0 0 3\"><joint name=\"x\" axis=\"1 0 0\"/><joint name=\"y\" axis=\"0 1 0\" "
+              "armature=\"0.5\"/><geom type=\"sphere\" size=\"0.5\" mass=\"1\"/></body></body>"));
   CHECK(found.bodies() == 4);
   CHECK(found.count("hinge") == 3);
   CHECK(found.count("gear") == 1);
@@ -156,8 +149,8 @@ TEST_CASE("several joints of one body have massless links between them, armature
 TEST_CASE("keyframes are found by name") {
   if (!has_parsers()) return;
   const std::string text =
-      mjcf(free_body("a", "0 0 2", "type=\"sphere\" size=\"1\""),
-           "<keyframe><key name=\"down\" qpos=\"0 0 1 1 0 0 0\" qvel=\"1 0 0 0 1 0\"/></keyframe>");
+      mjcf_of(free_body("a", "0 0 2", "type=\"sphere\" size=\"1\""),
+              "<keyframe><key name=\"down\" qpos=\"0 0 1 1 0 0 0\" qvel=\"1 0 0 0 1 0\"/></keyframe>");
   CHECK(import_text(text).tells("keyframes down"));
   CHECK(import_text(text).text.find("state = \"open\"") != std::string::npos);
   const auto down = import_text(text, {}, {"down", false, {}});
@@ -171,17 +164,17 @@ TEST_CASE("connected bodies have a ball joint, welded ones are one") {
   const std::string two =
       free_body("a", "0 0 2", "type=\"sphere\" size=\"0.5\"") + free_body("b", "2 0 2", "type=\"sphere\" size=\"0.5\"");
   const auto connected =
-      import_text(mjcf(two, "<equality><connect body1=\"a\" body2=\"b\" anchor=\"1 0 0\"/></equality>"));
+      import_text(mjcf_of(two, "<equality><connect body1=\"a\" body2=\"b\" anchor=\"1 0 0\"/></equality>"));
   CHECK(connected.count("ball") == 1);
-  const auto welded = import_text(mjcf(two, "<equality><weld body1=\"a\" body2=\"b\"/></equality>"));
+  const auto welded = import_text(mjcf_of(two, "<equality><weld body1=\"a\" body2=\"b\"/></equality>"));
   CHECK(welded.bodies() == 1);
   CHECK(welded.text.find("mass = \"2\"") != std::string::npos);
 }
 
 TEST_CASE("robots are moved to stand on the ground where this is asked for") {
   if (!has_parsers()) return;
-  const std::string text = mjcf(free_body("a", "0 0 2", "type=\"box\" size=\"0.5 0.5 0.5\"") +
-                                free_body("b", "3 0 0.2", "type=\"sphere\" size=\"0.5\""));
+  const std::string text = mjcf_of(free_body("a", "0 0 2", "type=\"box\" size=\"0.5 0.5 0.5\"") +
+                                   free_body("b", "3 0 0.2", "type=\"sphere\" size=\"0.5\""));
   CHECK(refusal(text).find("b_shape and floor are inside each other") != std::string::npos);
   imported::SpaceOptions options;
   options.stand = true;
@@ -200,7 +193,7 @@ TEST_CASE("many robots are read") {
   for (int i = 0; i < 40; ++i) {
     all += free_body("b" + std::to_string(i), std::to_string(3 * i) + " 0 1", "type=\"sphere\" size=\"1\"");
   }
-  const auto found = import_text(mjcf(all));
+  const auto found = import_text(mjcf_of(all));
   CHECK(found.bodies() == 40);
   CHECK(found.mechanism.contacts.size() == 40);
 }

@@ -15,10 +15,10 @@
 #include "base/number/parse.hpp"
 #include "contact/exchange/export_scene.hpp"
 #include "contact/exchange/space_mechanism.hpp"
-#include "contact/imported/parsers.hpp"
 #include "contact/imported/read_scene.hpp"
 #include "mechanics/bodies/bodies.hpp"
 #include "mechanics/scene/scene.hpp"
+#include "support/parsers.hpp"
 
 using namespace slipproof;
 using Eigen::MatrixXd;
@@ -306,13 +306,6 @@ class Comparison {
   VectorXd a_;  ///< their accelerations where MuJoCo's are 0
   std::vector<bool> known_;
 };
-
-bool has_parsers() {
-  std::string why;
-  const bool found = imported::find_parsers(why) != nullptr;
-  if (!found) MESSAGE("not tried: " << why);
-  return found;
-}
 
 void compare(const std::string& file, const std::string& key) {
   CAPTURE(file);

@@ -268,8 +268,9 @@ TEST_CASE("motions side by side say what they are, each with all of its contacts
   CHECK(sheet.tree.select_nodes("/svg/svg").size() == 2);
   CHECK(sheet.tree.select_nodes("//circle[starts-with(@class,'contact')]").size() == 8);
   const std::string text = all_text(sheet.tree.document_element());
-  for (const char* words : {"2 motions", "1: slip/stick/stick/lift", "2: slip/stick/stick/lift (boundary)",
-                            "one of a continuum, forces open along 1 direction", "N = 10", "T = (−3, −4)"}) {
+  for (const char* words :
+       {"1 motion and a continuum of motions", "1: slip/stick/stick/lift", "2: slip/stick/stick/lift (boundary)",
+        "one of a continuum, forces open along 1 direction", "N = 10", "T = (−3, −4)"}) {
     CAPTURE(words);
     CHECK(text.find(words) != std::string::npos);
   }

@@ -141,8 +141,9 @@ void SpaceArrows::contact_directions(const SpaceGeometry::Contact& contact) {
     arrow(contact.at, end, css);
     const Point start = in_.view.pixel(contact.at), tip = in_.view.pixel(end);
     if (in_.lettered || std::hypot(tip[0] - start[0], tip[1] - start[1]) < seen) return;
-    const std::string& symbol = in_.scene.mechanism.unknowns[unknown].symbol;  // the contact's name is beside it
-    name_once(symbol == "N_" + c.name ? "N" : symbol, start, tip);
+    std::string symbol = in_.scene.mechanism.unknowns[unknown].symbol;
+    if (symbol.ends_with("_" + c.name)) symbol.resize(symbol.size() - c.name.size() - 1);  // which is beside it
+    name_once(symbol, start, tip);
   };
   direction(c.normal, contact.normal, "normal");
   signs_.insert(SpaceSign::normal);
