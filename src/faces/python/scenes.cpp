@@ -160,7 +160,7 @@ py::tuple critical(const std::string& text, const std::string& file, const std::
 
 void bind_scene(py::module_& module) {
   py::class_<MechanismScene>(module, "Scene")
-      .def(py::init(&parse_scene))
+      .def(py::init([](const std::string& text, const std::string& file) { return parse_scene(text, file); }))
       .def_property_readonly("name", [](const MechanismScene& scene) { return scene.name; })
       .def_property_readonly("notes", [](const MechanismScene& scene) { return scene.notes; })
       .def("solve", &solve);
