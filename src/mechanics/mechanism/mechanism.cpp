@@ -23,7 +23,7 @@ void refuse_other(const Mechanism& mechanism, Dimensions dimensions) {
   throw InputError(
       {{mechanism.file, place.line, place.column,
         "dimension: found a mechanism in space, expected one in the plane: of scenes in space `solve` finds "
-        "all motions, `export` writes the contact problem, `show` the equations"}});
+        "all motions, `draw` draws them, `export` writes the contact problem, `show` the equations"}});
 }
 
 std::vector<std::string_view> value_names(const Mechanism& mechanism) {

@@ -138,15 +138,15 @@ constexpr std::array<std::string_view, 27> mechanism_keys{
     "definitions", "angles",    "load",  "unknowns", "units", "motion",     "equations",  "energy", "contact",
     "friction",    "link",      "shape", "gravity",  "body",  "joint",      "force",      "torque", "state"};
 
-/// 2 if it is left out.
-std::size_t read_dimension(const TableReader& root) {
+/// 2 if it is left out; nothing, and a report, for what is none.
+std::optional<std::size_t> read_dimension(const TableReader& root) {
   const TomlValue* value = root.value("dimension");
   if (value == nullptr) return 2;
   const std::string found = value->text.text();
   if (value->kind == TomlValue::Kind::number && (found == "2" || found == "3")) return found == "3" ? 3 : 2;
   root.refuse("dimension", "found " + (found.empty() ? std::string(kind_name(value->kind)) : in_quotes(found)) +
                                ", expected 2 for a mechanism in the plane, or 3 for one in space");
-  return 2;
+  return std::nullopt;
 }
 
 void read_root(const TableReader& root, Context& context, std::optional<BodyGeometry>& geometry) {
@@ -158,7 +158,9 @@ void read_root(const TableReader& root, Context& context, std::optional<BodyGeom
   mechanism.name = context.required(root, "name", "the mechanism's name");
   mechanism.source = context.text(root, "source");
   mechanism.note = context.text(root, "note");
-  mechanism.dimension = read_dimension(root);
+  const auto dimension = read_dimension(root);
+  if (!dimension) return;  // all vectors would be mistakes
+  mechanism.dimension = *dimension;
   mechanism.dimension_place = root.place("dimension");
   mechanism.reciprocal = root.boolean("reciprocal").value_or(true);
   mechanism_reader::read_symbols(root, context);

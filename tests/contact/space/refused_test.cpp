@@ -147,3 +147,15 @@ TEST_CASE("an angle gives a sliding velocity its direction") {
   CHECK(*slides.motions.front().slips[0]->lower > 53);
   CHECK(*slides.motions.front().slips[0]->upper < 54);
 }
+
+TEST_CASE("a dimension that is none is the only mistake that is told") {
+  const std::string text =
+      "schema = \"slipproof/mechanism/1\"\nname = \"m\"\ndimension = 4\ngravity = \"none\"\n" + cube;
+  std::string found;
+  try {
+    parse_mechanism(text, "m.toml");
+  } catch (const InputError& error) {
+    found = error.what();
+  }
+  CHECK(found == "m.toml:3:13: dimension: found '4', expected 2 for a mechanism in the plane, or 3 for one in space");
+}
