@@ -115,7 +115,7 @@ class SolutionSearch {
       point = ProposedPoint{std::vector<double>(exact_.size()), problem_.floating.q};
     }
     visit.point = std::move(point);
-    const bool decided = is_decided(node.pattern);
+    const bool decided = is_decided(exact_, node.pattern);
     if (decided) visit.shrunk = shrink_widest_arc(node.pattern, program);
     find_from(node.pattern, *visit.point, visit);
     const bool open = std::ranges::any_of(visit.candidates, [](const auto& m) { return m.open_directions > 0; });
@@ -136,14 +136,6 @@ class SolutionSearch {
     visit.programs += program.solved();
   }
 
-  /// Whether nothing but directions is left to decide.
-  bool is_decided(const ContactPattern& pattern) const {
-    for (std::size_t k = 0; k < pattern.size(); ++k) {
-      if (!slipproof::is_decided(exact_, pattern, k)) return false;
-    }
-    return true;
-  }
-
   void find_from(const ContactPattern& pattern, const ProposedPoint& start, Visit& visit) const {
     const auto mode = mode_of(pattern, start);
     if (!mode) return;
@@ -159,7 +151,7 @@ class SolutionSearch {
     ContactPattern mode = pattern;
     for (std::size_t k = 0; k < mode.size(); ++k) {
       const std::size_t i = exact_.normal(k);
-      const bool decided = slipproof::is_decided(exact_, pattern, k), loaded = point.r[i] > 1e-7;
+      const bool decided = is_decided(exact_, pattern, k), loaded = point.r[i] > 1e-7;
       if (decided && (loaded || pattern[k].kind != Kind::slip)) continue;
       if (!decided && violation(problem_.floating, k, point) > 1e-7) return std::nullopt;
       if (!loaded) {
@@ -194,7 +186,7 @@ class SolutionSearch {
 
   /// Where all velocities are those of a known motion, nearly.
   bool close_near(PatternNode& node, Visit& visit) const {
-    if (!is_decided(node.pattern)) return false;
+    if (!is_decided(exact_, node.pattern)) return false;
     const Rational distance = power_of_two(-MotionList::near_bits);
     for (std::size_t m = 0; m < found_.motions.size(); ++m) {
       const SpatialMotion& motion = found_.motions[m];
@@ -219,7 +211,7 @@ class SolutionSearch {
   /// Where velocities are those of a continuum of motions, nearly, and nothing but narrow arcs is left to split.
   bool close_in_continuum(PatternNode& node, Visit& visit) const {
     const double width = widest_arc(node.pattern);
-    if (!is_decided(node.pattern) || width > std::ldexp(1.0, -MotionList::continuum_bits)) return false;
+    if (!is_decided(exact_, node.pattern) || width > std::ldexp(1.0, -MotionList::continuum_bits)) return false;
     std::optional<BoundedVelocities> bounded;
     for (std::size_t m = 0; m < found_.motions.size(); ++m) {
       const SpatialMotion& motion = found_.motions[m];

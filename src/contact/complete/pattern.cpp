@@ -66,6 +66,13 @@ bool is_decided(const ExactContacts& contacts, const ContactPattern& pattern, st
          (kind == Kind::closed && !contacts.has_friction(k));
 }
 
+bool is_decided(const ExactContacts& contacts, const ContactPattern& pattern) {
+  for (std::size_t k = 0; k < pattern.size(); ++k) {
+    if (!is_decided(contacts, pattern, k)) return false;
+  }
+  return true;
+}
+
 namespace {
 
 using Kind = ContactState::Kind;

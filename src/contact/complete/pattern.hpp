@@ -48,6 +48,8 @@ using ContactPattern = std::vector<ContactState>;
 
 /// Whether nothing but a direction is left to decide about a contact.
 bool is_decided(const ExactContacts& contacts, const ContactPattern& pattern, std::size_t contact);
+/// About any contact.
+bool is_decided(const ExactContacts& contacts, const ContactPattern& pattern);
 
 /// A linear form of velocities and forces: the sum of u[i] u_i + r[i] r_i.
 struct ContactForm {

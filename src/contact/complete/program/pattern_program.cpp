@@ -152,9 +152,8 @@ std::vector<double> PatternProgram::duals() const {
 /// Adds a tangent where the point's force is outside of the true cone; false if it is nowhere. Roughly while more is to
 /// decide than directions: then patterns within this one follow.
 bool PatternProgram::cut(const ProposedPoint& point) {
-  bool cuts = false, decided = true;
-  for (std::size_t k = 0; k < pattern_.size(); ++k) decided = decided && is_decided(exact_, pattern_, k);
-  const double outside = decided ? 1e-9 : 1e-3;
+  bool cuts = false;
+  const double outside = is_decided(exact_, pattern_) ? 1e-9 : 1e-3;
   for (std::size_t k = 0; k < pattern_.size() && contacts_.dimension == 3; ++k) {
     const std::size_t i = contacts_.normal(k);
     if (!exact_.has_friction(k) || pattern_[k].kind == Kind::slip || pattern_[k].kind == Kind::open) continue;
