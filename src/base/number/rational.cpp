@@ -52,6 +52,12 @@ Rational pow(const Rational& base, long exponent) {
   return result;
 }
 
+std::optional<Rational> exact_root(const Rational& x) {
+  const auto over = exact_root(numerator(x)), under = exact_root(denominator(x));
+  if (!over || !under) return std::nullopt;
+  return Rational(*over, *under);
+}
+
 std::ostream& operator<<(std::ostream& out, const Rational& x) {
   return out << x.str();
 }

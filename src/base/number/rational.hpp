@@ -6,6 +6,7 @@
 #include <compare>
 #include <concepts>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -127,6 +128,8 @@ Rational power_of_two(long exponent);
 Rational abs(Rational x);
 /// Throws std::overflow_error for 0 to a negative exponent.
 Rational pow(const Rational& base, long exponent);
+/// The square root if it is rational, otherwise nothing.
+std::optional<Rational> exact_root(const Rational& x);
 std::ostream& operator<<(std::ostream& out, const Rational& x);
 
 /// A number in GMP's form, valid as long as this and the number live; read-only.

@@ -49,7 +49,7 @@ class OutlineContacts {
     const auto& corners = p.outline.corners;
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const Point edge = corners[(i + 1) % corners.size()] - corners[i];
-      const auto length = rational_root(dot(edge, edge));
+      const auto length = exact_root(dot(edge, edge));
       if (!length || length->is_zero()) continue;
       const Point along = (Rational(1) / *length) * edge;
       result.push_back({corners[i], along, {along.y, -along.x}, *length});
@@ -143,7 +143,7 @@ class OutlineContacts {
         const Point between = c - d;
         const Rational reach = a.outline.radius + b.outline.radius, square = dot(between, between);
         if (square > (reach + touch_) * (reach + touch_) || square < (reach - touch_) * (reach - touch_)) continue;
-        const auto length = rational_root(square);
+        const auto length = exact_root(square);
         if (!length) {
           mistakes_.add(b.shape->place, b.shape->name + " touches " + a.shape->name +
                                             ", but not exactly, and their distance is not rational");

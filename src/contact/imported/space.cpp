@@ -123,14 +123,8 @@ Pose tidy(const Pose& pose) {
   return result;
 }
 
-std::optional<Rational> rational_root(const Rational& x) {
-  const auto up = exact_root(numerator(x)), down = exact_root(denominator(x));
-  if (!up || !down) return std::nullopt;
-  return Rational(*up) / Rational(*down);
-}
-
 std::optional<Vector> direction_of(const Vector& v) {
-  const auto length = rational_root(dot(v, v));
+  const auto length = exact_root(dot(v, v));
   if (!length || length->is_zero()) return std::nullopt;
   return (Rational(1) / *length) * v;
 }

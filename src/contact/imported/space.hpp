@@ -89,8 +89,6 @@ Pose tidy(const Pose& pose);
 /// A quaternion (w, x, y, z) of a turn.
 std::array<double, 4> quaternion_of(const Turn& turn);
 
-/// The square root, where it is rational.
-std::optional<Rational> rational_root(const Rational& x);
 /// The unit vector, if the length is rational and not 0.
 std::optional<Vector> direction_of(const Vector& v);
 

@@ -7,6 +7,7 @@
 
 #include "base/number/binary64.hpp"
 #include "contact/complete/closing.hpp"
+#include "contact/complete/motion/forces_at.hpp"
 
 namespace slipproof {
 
@@ -151,18 +152,39 @@ bool has_one_force(const CompleteSolutions& found, std::size_t m) {
   return open_directions(contacts, pressed) == 0;
 }
 
+/// The motion by other forces with the same velocities, in the mode that is theirs.
+SpatialMotion by_forces(const ExactContacts& contacts, SpatialMotion motion, ForceFamily family) {
+  motion.r = std::move(family.r);
+  motion.open_directions = family.open_directions;
+  for (std::size_t k = 0; k < motion.mode.size(); ++k) {
+    const std::size_t i = contacts.normal(k);
+    if (motion.mode[k].kind != Kind::open || motion.r[i].is_zero()) continue;
+    const auto slip = std::span(motion.u).subspan(i + 1, contacts.dimension - 1);
+    const bool slips = std::ranges::any_of(slip, [](const Rational& x) { return !x.is_zero(); });
+    motion.mode[k].kind = !contacts.has_friction(k) ? Kind::closed : slips ? Kind::slip : Kind::stick;
+    if (slips) motion.mode[k].from.x = slip.front().sign();  // in space no matter
+  }
+  return motion;
+}
+
 FoundSolution solution_of(const CompleteSolutions& found, std::size_t m) {
-  const SpatialMotion& motion = found.motions[m];
   const ScaledContacts& scaled = found.scaled;
+  SpatialMotion motion = found.motions[m];
   FoundSolution solution;
+  solution.one_motion = found.within[m].empty() && (motion.is_exact() || !motion.alone.is_zero());
+  bool are_all = !motion.alone.is_zero() || has_one_force(found, m);
+  if (!are_all && motion.is_exact() && motion.open_directions == 0) {
+    ForceFamily family = forces_at(scaled.contacts, motion);
+    are_all = family.are_all || family.open_directions > 0;
+    motion = by_forces(scaled.contacts, std::move(motion), std::move(family));
+  }
+  solution.alone = solution.one_motion && are_all;
   solution.modes = {mode_text(motion.mode, scaled.contacts.dimension)};
   solution.r = ranges(motion.r, motion.r_radius, scaled.force_unit);
   solution.u = ranges(motion.u, motion.u_radius, scaled.velocity_unit);
   if (!found.within[m].empty()) solution.around = ranges(place_of(found, m), scaled.velocity_unit);
   solution.open_directions = motion.open_directions;
   solution.strict = is_strict(scaled.contacts, motion);
-  const bool is_one_motion = found.within[m].empty() && (motion.is_exact() || !motion.alone.is_zero());
-  solution.alone = is_one_motion && (!motion.alone.is_zero() || has_one_force(found, m));
   return solution;
 }
 

@@ -25,7 +25,8 @@ struct FoundSolution {
   std::size_t open_directions = 0;  ///< of a family: along how many directions there are others
   bool strict = false;              ///< no condition of one of its modes holds with equality
   bool exists = true;               ///< it is proved that a solution is within r and u
-  bool alone = true;                ///< and that no other is, but those of its family
+  bool one_motion = true;           ///< and that all others there have its velocities
+  bool alone = true;                ///< and that there are no others, but those of its family
 
   bool is_family() const { return open_directions > 0 || !others.empty(); }
 };

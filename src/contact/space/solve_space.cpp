@@ -58,7 +58,7 @@ class MotionReader {
   SpaceMotion read(const FoundSolution& found) const {
     SpaceMotion motion;
     motion.exists = found.exists;
-    motion.unique = found.alone && found.others.empty();
+    motion.unique = found.one_motion && found.others.empty();
     if (!motion.unique && found.others.empty()) motion.others_within = distance_of_others(found);
     motion.open_directions = found.open_directions;
     motion.strict = found.strict;

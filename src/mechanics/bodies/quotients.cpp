@@ -23,9 +23,9 @@ std::optional<MultiPolynomial> square_root(const MultiPolynomial& p) {
   constexpr std::size_t longest = 500;
   if (p.length() > longest) return std::nullopt;
   const Factorization whole = p.factors();
-  const auto over = exact_root(numerator(whole.constant)), under = exact_root(denominator(whole.constant));
-  if (!over || !under) return std::nullopt;
-  MultiPolynomial result(p.ring(), Rational(*over, *under));
+  const auto constant = exact_root(whole.constant);
+  if (!constant) return std::nullopt;
+  MultiPolynomial result(p.ring(), *constant);
   for (const auto& [factor, exponent] : whole.factors) {
     if (exponent % 2 != 0) return std::nullopt;
     result *= power(factor, exponent / 2);

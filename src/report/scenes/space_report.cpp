@@ -27,7 +27,9 @@ class SpaceText {
       heading = fmt::format("{} = {} {}: {}", m_.load->symbol, exact_text(*solved_.scene.load), m_.load->unit, heading);
     }
     if (solved_.complete()) {
-      heading += are_near() ? ", and it is proved that any other is near" : ", and it is proved that there is no other";
+      heading += solved_.motions.empty() ? ", and that is proved"
+                 : are_near()            ? ", and it is proved that any other is near"
+                                         : ", and it is proved that there is no other";
     }
     Document& section = document_.section(heading);
     for (const SpaceMotion& motion : solved_.motions) write(section, motion);

@@ -167,3 +167,33 @@ friction = "1"
   CHECK(is(ball, "T1_top", Rational(-2, 3) / Rational(7, 4)));
   CHECK(is(ball, "T2_top", Rational(1, 2) / Rational(7, 4)));
 }
+
+TEST_CASE("a box that slides on four feet has one motion, by forces that are open along one direction") {
+  std::string text = R"(
+[[body]]
+name = "belt"
+velocity = ["1", "0", "0"]
+acceleration = ["1", "0", "0"]
+[[body]]
+name = "box"
+mass = "4"
+inertia = ["1", "1", "1"]
+at = ["0", "0", "1"]
+velocity = ["0", "0", "0"]
+)";
+  for (const auto& [name, x, y] :
+       {std::tuple("pp", "1", "1"), {"pm", "1", "-1"}, {"mp", "-1", "1"}, {"mm", "-1", "-1"}}) {
+    text += std::string("[[contact]]\nname = \"") + name + "\"\nof = \"box\"\non = \"belt\"\npoint = [\"" + x +
+            "\", \"" + y +
+            "\", \"-1\"]\nnormal = [\"0\", \"0\", \"1\"]\nthrough = [\"0\", \"0\", \"0\"]\nfriction = \"1/5\"\n";
+  }
+  const SolvedSpace solved = test::solved_text(text);
+  REQUIRE(solved.motions.size() == 1);
+  const SpaceMotion& motion = solved.motions.front();
+  CHECK(motion.unique);
+  CHECK(motion.strict);
+  CHECK(motion.open_directions == 1);  // of four normal forces with three equations
+  CHECK(motion.modes == std::vector<std::string>(4, "slip"));
+  CHECK(is(solved, "ax", 2));  // mu g, forwards
+  CHECK(*value(solved, "N_pp").lower + *value(solved, "N_mm").lower == 20);
+}

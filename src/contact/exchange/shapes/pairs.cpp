@@ -159,7 +159,7 @@ class Pair {
   void spheres() {
     const Shape &a = *a_.shape, &b = *b_.shape;
     const Vector between = a.pose.at - b.pose.at;
-    const auto length = rational_root(dot(between, between));
+    const auto length = exact_root(dot(between, between));
     if (!length || length->is_zero()) return;
     const Rational distance = *length - a.radius - b.radius;
     if (abs(distance) > touch_) return;
