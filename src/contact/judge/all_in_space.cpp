@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numbers>
 
 #include "base/number/binary64.hpp"
 #include "contact/complete/closing.hpp"
@@ -53,11 +54,16 @@ const char* state_word(const ContactState& state) {
   }
 }
 
-std::string mode_text(const ContactPattern& mode, std::size_t dimension) {
+/// With `arcs` also between which directions a contact slips in space: `stick/slip from 0 to 90 degrees`.
+std::string mode_text(const ContactPattern& mode, std::size_t dimension, bool arcs = false) {
   std::string text;
   for (const ContactState& state : mode) {
     text += (text.empty() ? "" : "/") + std::string(state_word(state));
-    if (state.kind == Kind::slip && dimension == 2) text += state.from.x.sign() > 0 ? '+' : '-';
+    if (state.kind != Kind::slip) continue;
+    if (dimension == 2) text += state.from.x.sign() > 0 ? '+' : '-';
+    if (dimension < 3 || !arcs) continue;
+    const double from = state.from.angle(), degree = std::numbers::pi / 180;
+    text += fmt::format(" from {:.6g} to {:.6g} degrees", from / degree, (from + state.width()) / degree);
   }
   return text;
 }
@@ -173,7 +179,7 @@ FoundSolution solution_of(const CompleteSolutions& found, std::size_t m) {
   FoundSolution solution;
   solution.one_motion = found.within[m].empty() && (motion.is_exact() || !motion.alone.is_zero());
   bool are_all = !motion.alone.is_zero() || has_one_force(found, m);
-  if (!are_all && motion.is_exact() && motion.open_directions == 0) {
+  if (!are_all && motion.is_exact()) {
     ForceFamily family = forces_at(scaled.contacts, motion);
     are_all = family.are_all || family.open_directions > 0;
     motion = by_forces(scaled.contacts, std::move(motion), std::move(family));
@@ -229,7 +235,7 @@ AllSolutions all_solutions_of(const SolutionTree& tree) {
   }
   for (const PatternNode& node : found.nodes) {
     if (node.end == PatternNode::End::undecided) {
-      result.unexamined.push_back(mode_text(node.pattern, result.dimension));
+      result.unexamined.push_back(mode_text(node.pattern, result.dimension, true));
     }
   }
   if (!result.complete()) result.open_speed = open_speed(found);

@@ -80,9 +80,10 @@ class MotionReader {
  private:
   static Rational distance_of_others(const FoundSolution& found) {
     Rational largest;
-    for (std::size_t i = 0; i < found.around.size(); ++i) {
-      largest = std::max({largest, Rational(*found.around[i].upper - *found.u[i].lower),
-                          Rational(*found.u[i].upper - *found.around[i].lower)});
+    const std::vector<Range>& around = found.around.empty() ? found.u : found.around;
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      largest = std::max(
+          {largest, Rational(*around[i].upper - *found.u[i].lower), Rational(*found.u[i].upper - *around[i].lower)});
     }
     return largest;
   }

@@ -25,8 +25,9 @@ class MotionRays {
   }
 
   const std::vector<std::vector<Rational>>& rays() const { return rays_; }
-  /// Whether they span all of the cones.
+  /// Whether they span all of the cones; and whether they have at least all directions in which forces may differ.
   bool are_all() const { return are_all_; }
+  bool has_all_directions() const { return has_all_directions_; }
 
  private:
   void add(std::size_t k, std::vector<Rational> components) {
@@ -51,7 +52,10 @@ class MotionRays {
   }
 
   void add_against_slip(std::size_t k, const std::optional<Rational>& speed) {
-    if (!speed) return add_own(k);  // the direction is no rational one
+    if (!speed) {  // the direction is no rational one, unless it is that of a force
+      has_all_directions_ = has_all_directions_ && !motion_.r[contacts_.normal(k)].is_zero();
+      return add_own(k);
+    }
     std::vector<Rational> ray{1};
     for (std::size_t t = 1; t < contacts_.dimension; ++t) {
       ray.push_back(-contacts_.mu[k] * motion_.u[contacts_.normal(k) + t] / *speed);
@@ -68,36 +72,51 @@ class MotionRays {
   const ExactContacts& contacts_;
   const SpatialMotion& motion_;
   std::vector<std::vector<Rational>> rays_;
-  bool are_all_ = true;
+  bool are_all_ = true, has_all_directions_ = true;
 };
 
-/// Of forces that press where all members of a family can: as many directions as forces of their contacts move nothing,
-/// where a contact that sticks inside of its cone may push in any direction.
-std::size_t directions_of(const ExactContacts& contacts, std::span<const Rational> r, std::span<const Rational> u) {
-  RationalMatrix forces;
+/// Some of these that are independent, as many as there are.
+std::vector<std::vector<Rational>> independent(const std::vector<std::vector<Rational>>& forces) {
+  if (forces.empty()) return {};
+  RationalMatrix columns(forces.front().size(), std::vector<Rational>(forces.size()));
+  for (std::size_t j = 0; j < forces.size(); ++j) {
+    for (std::size_t i = 0; i < columns.size(); ++i) columns[i][j] = forces[j][i];
+  }
+  std::vector<std::vector<Rational>> result;
+  for (const std::size_t j : eliminate(columns).pivot_columns) result.push_back(forces[j]);
+  return result;
+}
+
+/// How many independent combinations of these forces move nothing. They are independent themselves.
+std::size_t open_among(const ExactContacts& contacts, const std::vector<std::vector<Rational>>& forces) {
+  RationalMatrix moved;
+  for (const std::vector<Rational>& force : forces) {
+    moved.push_back(velocities(contacts, force));
+    for (std::size_t i = 0; i < contacts.size(); ++i) moved.back()[i] -= contacts.q[i];
+  }
+  return moved.empty() ? 0 : moved.size() - eliminate(moved).rank();
+}
+
+/// Directions of these forces: any where they lie inside of the cone of a contact that sticks, else along themselves.
+std::vector<std::vector<Rational>> directions_from(const ExactContacts& contacts, std::span<const Rational> r,
+                                                   std::span<const Rational> u) {
+  std::vector<std::vector<Rational>> result;
   for (std::size_t k = 0; k < contacts.contacts(); ++k) {
     const std::size_t i = contacts.normal(k);
     if (r[i].is_zero()) continue;
     const Rational limit = contacts.mu[k] * r[i];
-    const bool is_inside = square_of_tangent(contacts, r, k) < limit * limit;
-    if (is_inside && square_of_tangent(contacts, u, k).is_zero()) {
+    if (square_of_tangent(contacts, u, k).is_zero() && square_of_tangent(contacts, r, k) < limit * limit) {
       for (std::size_t t = 0; t < contacts.dimension; ++t) {
         std::vector<Rational> axis(t + 1);
         axis[t] = 1;
-        forces.push_back(force_on(contacts, k, std::move(axis)));
+        result.push_back(force_on(contacts, k, std::move(axis)));
       }
     } else {
       const auto own = r.subspan(i, contacts.dimension);
-      forces.push_back(force_on(contacts, k, {own.begin(), own.end()}));
+      result.push_back(force_on(contacts, k, {own.begin(), own.end()}));
     }
   }
-  RationalMatrix columns;
-  const std::vector<Rational> still(contacts.size());
-  for (const std::vector<Rational>& force : forces) {
-    std::vector<Rational>& column = columns.emplace_back(velocities(contacts, force));
-    for (std::size_t i = 0; i < column.size(); ++i) column[i] -= contacts.q[i];
-  }
-  return columns.empty() ? 0 : columns.size() - eliminate(columns).rank();
+  return result;
 }
 
 }  // namespace
@@ -187,13 +206,21 @@ std::optional<std::vector<Rational>> ForcesAlong::most_open() const {
 }
 
 ForceFamily forces_at(const ExactContacts& contacts, const SpatialMotion& motion) {
-  const ForceFamily alone{motion.r, 0, false};
   const MotionRays rays(contacts, motion);
-  if (rays.rays().size() > most_rays) return alone;
+  const auto open_from = [&](std::span<const Rational> r) {
+    return open_among(contacts, directions_from(contacts, r, motion.u));
+  };
+  ForceFamily family{motion.r, open_from(motion.r), false};
+  // No forces are open along more directions than those of all cones.
+  const std::size_t most = open_among(contacts, independent(rays.rays()));
+  family.are_all = rays.has_all_directions() && family.open_directions == most;
+  if (family.are_all || rays.rays().size() > most_rays) return family;
   auto r = ForcesAlong(contacts, motion.u, rays.rays()).most_open();
-  if (!r) return alone;
-  const std::size_t open = directions_of(contacts, *r, motion.u);
-  return {open > 0 ? std::move(*r) : motion.r, open, rays.are_all()};
+  if (!r) return family;
+  const std::size_t open = open_from(*r);
+  if (open > family.open_directions) family = {std::move(*r), open, false};
+  family.are_all = rays.are_all() || (rays.has_all_directions() && open == most);
+  return family;
 }
 
 }  // namespace slipproof

@@ -43,7 +43,7 @@ struct ForceFamily {
   bool are_all = true;              ///< and along no more
 };
 
-/// Of a motion that is_exact(): its own forces where there are no others.
+/// Of a motion that is_exact(): its own forces, if there are none that are open along more directions.
 ForceFamily forces_at(const ExactContacts& contacts, const SpatialMotion& motion);
 
 }  // namespace slipproof
