@@ -41,6 +41,10 @@ SceneVector given_tangent(Derivation& d, const BodyContact& contact, const Frame
                           const PlacedVector& given, const std::string& key) {
   const SceneVector along = on.in_scene(unplaced(given));
   d.must_have_length_1(along, contact_name(d, contact) + ": " + key, given.place);
+  if (is_literal_zero(moment(normal, along)) && !is_literal_zero(along) && !is_literal_zero(normal)) {
+    d.mistakes.add(given.place, contact_name(d, contact) + ": " + key +
+                                    ": found a direction along the normal, expected one across it");
+  }
   d.must_vanish(dot(along, normal), contact_name(d, contact) + (d.in_space() ? "-tangent" : "-slip-direction"),
                 key + ": found a direction that makes the cosine X with the normal, expected one along the " +
                     (d.in_space() ? "plane" : "line"),

@@ -40,6 +40,10 @@ void Derivation::must_vanish(const Expression& value, std::string name, std::str
 }
 
 void Derivation::must_have_length_1(const SceneVector& vector, const std::string& name, Place place) {
+  if (is_literal_zero(vector)) {
+    mistakes.add(place, name + ": found a vector of length 0, expected one of length 1");
+    return;
+  }
   must_vanish(minus(dot(vector, vector), make_number(1)), name + "-has-length-1",
               name + ": found a vector whose length squared is 1 plus X, expected one of length 1", place);
 }

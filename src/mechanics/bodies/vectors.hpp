@@ -53,6 +53,9 @@ inline SceneVector operator-(const SceneVector& a) {
 inline Expression dot(const SceneVector& a, const SceneVector& b) {
   return plus(plus(times(a.x, b.x), times(a.y, b.y)), times(a.z, b.z));
 }
+inline bool is_literal_zero(const SceneVector& a) {
+  return slipproof::is_literal_zero(a.x) && slipproof::is_literal_zero(a.y) && slipproof::is_literal_zero(a.z);
+}
 /// The axis x, y or z.
 inline SceneVector axis(std::size_t index) {
   const auto one_at = [&](std::size_t i) { return i == index ? make_number(1) : zero_literal(); };

@@ -18,6 +18,13 @@ TEST_CASE("show prints what was understood of a shipped mechanism, and of a file
   CHECK(file.out == shipped.out);
 }
 
+TEST_CASE("show of a scene shows its mechanism") {
+  const std::string cases = SLIPPROOF_SOURCE_DIR "/cases/space/";
+  const auto scene = run({"show", cases + "domino.toml"});
+  CHECK(scene.exit_code == 0);
+  CHECK(scene.out == run({"show", cases + "mechanisms/domino.toml"}).out);
+}
+
 TEST_CASE("show tells what looks wrong, and refuses what is wrong") {
   const TemporaryFolder folder;
   std::string text = read_file(SLIPPROOF_SOURCE_DIR "/cases/mechanisms/painleve-rod.toml");

@@ -59,6 +59,19 @@ TEST_CASE("of every load solve says what critical says, where the theorem is abo
   }
 }
 
+TEST_CASE("--load is another value of the load, in the plane and in space, where there is one") {
+  const std::string cases = SLIPPROOF_SOURCE_DIR "/cases/";
+  for (const std::string& scene : {cases + "city-bicycle.toml", cases + "space/cube-pushed-obliquely.toml"}) {
+    const Json own = Json::parse(run({"solve", scene, "--json"}).out);
+    const Json other = Json::parse(run({"solve", scene, "--json", "--load", "1/8"}).out);
+    const auto load = [](const Json& answer) { return answer.contains("F") ? answer["F"] : answer["load"]["value"]; };
+    CHECK(load(other) == "1/8");
+    CHECK(own["motions"] != other["motions"]);
+    CHECK(run({"solve", scene, "--load", "1/0"}).exit_code == 2);
+  }
+  CHECK(run({"solve", cases + "space/ball-on-belt.toml", "--load", "1"}).exit_code == 2);
+}
+
 TEST_CASE("--quiet prints the result line alone") {
   const auto quiet = run({"solve", "--quiet", cases().front()});
   CHECK(quiet.out.starts_with("s SOLVED "));

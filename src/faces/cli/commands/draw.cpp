@@ -10,10 +10,10 @@
 
 #include "base/input/diagnostic.hpp"
 #include "base/number/format.hpp"
-#include "base/number/parse.hpp"
 #include "base/output/output_file.hpp"
 #include "contact/space/solve_space.hpp"
 #include "faces/cli/command.hpp"
+#include "faces/cli/load_option.hpp"
 #include "faces/cli/png.hpp"
 #include "faces/cli/warnings.hpp"
 #include "mechanics/scene/solve_mechanism.hpp"
@@ -94,16 +94,7 @@ std::string figure_in_space(MechanismScene scene, const DrawArguments& arguments
 
 std::string figure_of(MechanismScene scene, const DrawArguments& arguments) {
   print_warnings(scene, arguments.common);
-  if (!arguments.load.empty()) {
-    if (!scene.mechanism.load) refuse(arguments, "found --load, but the mechanism has no load");
-    try {
-      scene = with_values(scene, {{scene.mechanism.load->symbol, parse_rational(arguments.load)}});
-    } catch (const NumberError& error) {
-      throw CLI::ValidationError("--load", error.what());
-    } catch (const std::invalid_argument& error) {
-      throw CLI::ValidationError("--load", error.what());
-    }
-  }
+  scene = at_load(scene, arguments.load);
   if (scene.mechanism.dimension == 3) return figure_in_space(std::move(scene), arguments);
   if (!arguments.from.empty())
     refuse(arguments, "found --from, but the scene is in the plane, which is drawn as it is");
@@ -145,7 +136,7 @@ void add_draw(CLI::App& app, int& exit_code) {
                   "mode that `solve` lists there; `all`: all motions side by side; default: forces in their positive "
                   "directions")
       ->check(motion_choice());
-  command.add_option("--load", options->load, "The value of the load, in place of the scene's, such as 7/4");
+  add_load_option(command, options->load);
   command
       .add_option("--from", options->from,
                   "Where to look at a scene in space from: a direction in its axes, such as 1,-2,1, or azimuth and "

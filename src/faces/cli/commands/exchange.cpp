@@ -14,6 +14,7 @@
 #include "contact/exchange/spatial.hpp"
 #include "contact/imported/read_scene.hpp"
 #include "faces/cli/command.hpp"
+#include "faces/cli/load_option.hpp"
 #include "mechanics/bodies/bodies.hpp"
 
 namespace slipproof::cli {
@@ -150,18 +151,12 @@ std::pair<std::string, Rational> setting(const std::string& text) {
 
 MechanismScene scene_of(const ExportArguments& arguments) {
   const MechanismScene scene = read_scene(arguments.scene, arguments.bodies ? Dimensions::plane : Dimensions::any);
-  const char* option = "--set";
+  std::vector<std::pair<std::string, Rational>> values;
+  for (const std::string& one : arguments.set) values.push_back(setting(one));
   try {
-    std::vector<std::pair<std::string, Rational>> values;
-    for (const std::string& one : arguments.set) values.push_back(setting(one));
-    if (!arguments.load.empty()) {
-      option = "--load";
-      if (!scene.mechanism.load) throw std::invalid_argument("found a value, and the mechanism has no load");
-      values.emplace_back(scene.mechanism.load->symbol, number("--load", arguments.load));
-    }
-    return with_values(scene, values);
+    return at_load(with_values(scene, values), arguments.load);
   } catch (const std::invalid_argument& error) {
-    throw CLI::ValidationError(option, error.what());
+    throw CLI::ValidationError("--set", error.what());
   }
 }
 
@@ -192,7 +187,7 @@ void add_export(CLI::App& app, int& exit_code) {
       *app.add_subcommand("export", "Write the contact problem of a scene, for certify and other solvers");
   command.add_option("SCENE", options->scene, "Scene file (TOML)")->required();
   command.add_option("-o,--output", options->output, "Where the problem, or the scene, goes (JSON)")->required();
-  command.add_option("--load", options->load, "The value of the load, if not the scene's");
+  add_load_option(command, options->load);
   command
       .add_option("--set", options->set,
                   "NAME=VALUE: another value of a parameter, of the load, or of an angle, by the tangent of its half; "

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "base/input/diagnostic.hpp"
-#include "base/number/parse.hpp"
 #include "faces/cli/command.hpp"
+#include "faces/cli/load_option.hpp"
 #include "faces/cli/warnings.hpp"
 #include "report/scenes/simulation_report.hpp"
 
@@ -31,16 +31,13 @@ std::vector<Compliance> compliances(const SimulateArguments& arguments) {
 }
 
 void run_simulate(const SimulateArguments& arguments) {
-  MechanismScene scene = read_scene(arguments.scene);
+  const MechanismScene scene = at_load(read_scene(arguments.scene), arguments.load);
   print_warnings(scene.mechanism, arguments.common);
   try {
-    if (!arguments.load.empty()) scene.load = parse_rational(arguments.load);
     const Simulation simulation = simulate(loaded_contacts(scene), compliances(arguments), arguments.common.threads);
     print_report(
         arguments.common, [&] { return simulation_json(scene, simulation); },
         [&] { return simulation_document(scene, simulation, arguments.digits); });
-  } catch (const NumberError& error) {
-    throw CLI::ValidationError("--load", error.what());
   } catch (const std::invalid_argument& error) {
     throw InputError({{arguments.scene, 0, 0, error.what()}});
   } catch (const NoValue& error) {
@@ -55,7 +52,7 @@ void add_simulate(CLI::App& app, int& exit_code) {
   CLI::App& command = *app.add_subcommand(
       "simulate", "Simulate which of several motions compliant contacts settle to, from rest; no proof");
   command.add_option("SCENE", options->scene, "Scene file (TOML), of a bicycle or of a mechanism")->required();
-  command.add_option("--load", options->load, "The load, in place of the scene's");
+  add_load_option(command, options->load);
   command
       .add_option("--stiffness-ratio", options->ratios,
                   "Tangential over normal stiffness of the contacts; each value in turn")

@@ -4,6 +4,7 @@
 #include "contact/problem/every_push.hpp"
 #include "contact/space/solve_space.hpp"
 #include "faces/cli/command.hpp"
+#include "faces/cli/load_option.hpp"
 #include "faces/cli/warnings.hpp"
 #include "mechanics/scene/solve_mechanism.hpp"
 #include "report/scenes/mechanism_report.hpp"
@@ -15,7 +16,7 @@ namespace {
 
 struct SolveArguments {
   CommonOptions common;
-  std::string scene;
+  std::string scene, load;
   int digits = 6;
 };
 
@@ -28,7 +29,7 @@ Exit answer_in_space(const SolveArguments& arguments, MechanismScene scene) {
 }
 
 Exit answer(const SolveArguments& arguments) {
-  MechanismScene scene = read_scene(arguments.scene, Dimensions::any);
+  MechanismScene scene = at_load(read_scene(arguments.scene, Dimensions::any), arguments.load);
   if (scene.mechanism.dimension == 3) return answer_in_space(arguments, std::move(scene));
   const SolvedMechanism solved = solve_mechanism(std::move(scene));
   print_warnings(solved.scene, arguments.common);
@@ -46,6 +47,7 @@ void add_solve(CLI::App& app, int& exit_code) {
   CLI::App& command =
       *app.add_subcommand("solve", "Find every motion of a scene; without a force, for every force at once");
   command.add_option("SCENE", options->scene, "Scene file (TOML)")->required();
+  add_load_option(command, options->load);
   add_digits_option(command, options->digits);
   add_report_options(command, options->common);
   command.callback([options, &exit_code] { exit_code = answer(*options); });
