@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include "base/input/diagnostic.hpp"
 #include "contact/space/space_problem.hpp"
@@ -205,6 +206,18 @@ void slide(RationalMatrix& matrix, const std::vector<SpaceContact>& contacts) {
   }
 }
 
+/// For a contact that slides in a direction that is not rational; as large as other constants.
+void slide_toward(ExactContacts& contacts, std::size_t contact, std::array<Rational, 2> toward) {
+  Rational largest, own = std::max(abs(toward[0]), abs(toward[1]));
+  for (const Rational& q : contacts.q) largest = std::max(largest, abs(q));
+  if (largest.is_zero()) largest = 1;
+  for (const std::size_t t : {1, 2}) {
+    const std::size_t i = contacts.normal(contact) + t;
+    contacts.W[i].assign(contacts.size(), Rational());
+    contacts.q[i] = toward[t - 1] / own * largest;
+  }
+}
+
 }  // namespace
 
 ReducedSpace reduced(const SpaceProblem& problem, const Mechanism& mechanism) {
@@ -225,6 +238,9 @@ ReducedSpace reduced(const SpaceProblem& problem, const Mechanism& mechanism) {
       }
       contacts.q[i] += weight * result.v0[v];
     }
+  }
+  for (std::size_t k = 0; k < problem.contacts.size(); ++k) {
+    if (problem.contacts[k].toward) slide_toward(contacts, k, *problem.contacts[k].toward);
   }
   return result;
 }

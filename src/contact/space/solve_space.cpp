@@ -106,8 +106,8 @@ class MotionReader {
     mode = state == "closed" ? (contact.sliding ? "slip" : "touch") : state == "slip" && at_rest ? "stick" : state;
     if (mode != "slip") return;
     std::optional<Range>& angle = motion.slips[contact.contact];
-    if (contact.sliding) {
-      angle = angles(point((*contact.sliding)[0]), point((*contact.sliding)[1]));
+    if (const auto& along = contact.toward ? contact.toward : contact.sliding) {
+      angle = angles(point((*along)[0]), point((*along)[1]));
     } else {
       angle = angles(found.u[3 * k + 1], found.u[3 * k + 2]);
     }
@@ -121,7 +121,7 @@ class MotionReader {
     for (std::size_t i = 0; i < m_.contacts.size(); ++i) {
       const bool in_problem = closed < p_.contacts.size() && p_.contacts[closed].contact == i;
       for (std::size_t t = 0; t < (m_.contacts[i].second ? 3U : 1U); ++t, ++row) {
-        if (in_problem) {
+        if (in_problem && (t == 0 || !p_.contacts[closed].toward)) {
           const std::string& mode = motion.modes[i];
           const bool zero = t == 0 ? mode != "lift" : mode == "stick";
           motion.accelerations.push_back(zero ? point(0) : found.u[3 * closed + t]);

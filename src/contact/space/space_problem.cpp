@@ -95,7 +95,7 @@ class SpaceProblemMaker {
       mistakes_.add(c.place, c.name +
                                  ": found a contact whose lift is not modelled, expected a value of "
                                  "what its lift needs");
-    SpaceContact contact{i, 0, std::nullopt};
+    SpaceContact contact{i, 0, std::nullopt, std::nullopt};
     if (!c.frictionless()) read_friction(c, compiled_.contacts[i], kind.slides(), contact);
     for (std::size_t t = 0; t < 3; ++t) {
       const SpaceRow* motion = t < motions.size() ? &motions[t] : nullptr;
@@ -111,7 +111,13 @@ class SpaceProblemMaker {
     const std::string what = "the friction of " + c.name;
     contact.mu = number(*compiled.kinetic_friction, what);
     if (slides) {
-      contact.sliding = {number(compiled.sliding[0], what), number(compiled.sliding[1], what)};
+      const std::array<Rational, 2> along{number(compiled.sliding[0], what), number(compiled.sliding[1], what)};
+      const auto length = exact_root(Rational(along[0] * along[0] + along[1] * along[1]));
+      if (!length) {
+        contact.toward = along;
+      } else if (!length->is_zero()) {  // 0 has been refused: the scene is outside of its domain
+        contact.sliding = {along[0] / *length, along[1] / *length};
+      }
     } else if (number(*compiled.static_friction, what) != contact.mu) {
       mistakes_.add(c.place, c.name + ": found a static coefficient of its own, expected one coefficient in space");
     }
@@ -134,8 +140,7 @@ SpaceProblem space_problem(const MechanismScene& scene) {
 }
 
 GlobalProblem exported(const SpaceProblem& problem, const Mechanism& mechanism) {
-  const auto slides = [](const SpaceContact& contact) { return contact.sliding.has_value(); };
-  if (std::ranges::none_of(problem.contacts, slides)) return problem.global;
+  if (std::ranges::none_of(problem.contacts, &SpaceContact::slides)) return problem.global;
   ReducedSpace local = reduced(problem, mechanism);
   GlobalProblem result;
   result.title = problem.global.title;

@@ -16,8 +16,11 @@ namespace slipproof {
 struct SpaceContact {
   std::size_t contact = 0;  ///< among the mechanism's
   Rational mu;              ///< 0 if frictionless
-  /// The direction of its sliding velocity, of length 1, along T1 and T2; nothing if it rests.
-  std::optional<std::array<Rational, 2>> sliding;
+  /// The direction of its sliding velocity along T1 and T2, of length 1; or one of any length, where none of length 1
+  /// is rational. Both nothing if it rests.
+  std::optional<std::array<Rational, 2>> sliding, toward;
+
+  bool slides() const { return sliding || toward; }
 };
 
 /// An acceleration that follows from those of the bodies: coefficients . v + constant.
@@ -40,7 +43,9 @@ struct SpaceProblem {
 SpaceProblem space_problem(const MechanismScene& scene);
 
 /// Links and accelerations eliminated, exactly: v = V r + v0, lambda = L r + l0. A contact that slides pushes by
-/// N - mu N d along its direction d: it is one without friction of a matrix that is not symmetric.
+/// N - mu N d along its direction d: it is one without friction of a matrix that is not symmetric. If no rational d has
+/// the length 1, u_T is in place of the slip acceleration the constant `toward`: to Coulomb's law a contact that slips
+/// in this direction, whatever happens.
 struct ReducedSpace {
   ExactContacts contacts;  ///< u = W r + q
   RationalMatrix V, L;     ///< a row for each component of v, of lambda

@@ -220,22 +220,12 @@ class Settlement {
       }
       return;
     }
-    slide(velocity, contact, square);
-  }
-
-  void slide(const ElementVelocity& velocity, MechanismContact& contact, const Expression& square) {
-    if (!velocity.speed) {
-      mistakes_.add(velocity.place,
-                    contact.name + ": found a sliding velocity whose square is " + in_quotes(to_string(square)) +
-                        ", which is not the square of a rational expression, expected one along a rational direction, "
-                        "such as [\"3\", \"4\", \"0\"], or a speed times the cosine and sine of an angle");
-      return;
-    }
     contact.sliding.clear();
     for (const Expression& part : {velocity.sliding, velocity.second}) {
-      contact.sliding.push_back({bodies_in_motion::over(part, velocity.speed), PlacedText("", velocity.place)});
+      const Expression along = velocity.speed ? bodies_in_motion::over(part, velocity.speed) : part;
+      contact.sliding.push_back({along, PlacedText("", velocity.place)});
     }
-    assume(contact.name + "-slides", velocity.speed, Relation::greater, velocity.place);
+    assume(contact.name + "-slides", velocity.speed ? velocity.speed : square, Relation::greater, velocity.place);
   }
 
   Mechanism& mechanism_;

@@ -117,7 +117,8 @@ struct MechanismContact {
   std::vector<PlacedExpression> at, direction, slip_direction;
   SymbolicForm gap_form, slip_form;
   std::optional<MechanismSlip> second;  ///< in space, with friction
-  /// In space, of a contact that slides: the direction of its sliding velocity, along the first and the second slip.
+  /// In space, of a contact that slides: the direction of its sliding velocity along the first and the second slip, or
+  /// that velocity, where its length is no rational expression.
   std::vector<PlacedExpression> sliding;
   Place place;
 

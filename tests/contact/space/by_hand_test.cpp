@@ -56,6 +56,35 @@ friction = ")" +
          mu + "\"\n";
 }
 
+const std::string moving_belt = R"(
+[[body]]
+name = "belt"
+velocity = ["1", "0", "0"]
+acceleration = ["1", "0", "0"]
+)";
+
+std::string sliding_box(const std::string& vx, const std::string& vy) {
+  return R"(
+[[body]]
+name = "box"
+mass = "4"
+inertia = ["1", "1", "1"]
+at = ["0", "0", "1"]
+velocity = [")" +
+         vx + "\", \"" + vy + "\", \"0\"]\n";
+}
+
+std::string four_feet(const std::string& on) {
+  std::string text;
+  for (const auto& [name, x, y] :
+       {std::tuple("pp", "1", "1"), {"pm", "1", "-1"}, {"mp", "-1", "1"}, {"mm", "-1", "-1"}}) {
+    text += std::string("[[contact]]\nname = \"") + name + "\"\nof = \"box\"\non = \"" + on + "\"\npoint = [\"" + x +
+            "\", \"" + y +
+            "\", \"-1\"]\nnormal = [\"0\", \"0\", \"1\"]\nthrough = [\"0\", \"0\", \"0\"]\nfriction = \"1/5\"\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 TEST_CASE("what rests on a turning disc follows it, or slips outwards") {
@@ -168,26 +197,22 @@ friction = "1"
   CHECK(is(ball, "T2_top", Rational(1, 2) / Rational(7, 4)));
 }
 
-TEST_CASE("a box that slides on four feet has one motion, by forces that are open along one direction") {
-  std::string text = R"(
-[[body]]
-name = "belt"
-velocity = ["1", "0", "0"]
-acceleration = ["1", "0", "0"]
-[[body]]
-name = "box"
-mass = "4"
-inertia = ["1", "1", "1"]
-at = ["0", "0", "1"]
-velocity = ["0", "0", "0"]
-)";
-  for (const auto& [name, x, y] :
-       {std::tuple("pp", "1", "1"), {"pm", "1", "-1"}, {"mp", "-1", "1"}, {"mm", "-1", "-1"}}) {
-    text += std::string("[[contact]]\nname = \"") + name + "\"\nof = \"box\"\non = \"belt\"\npoint = [\"" + x +
-            "\", \"" + y +
-            "\", \"-1\"]\nnormal = [\"0\", \"0\", \"1\"]\nthrough = [\"0\", \"0\", \"0\"]\nfriction = \"1/5\"\n";
+TEST_CASE("a box slides to where its velocity points, also where that is no rational direction") {
+  const SolvedSpace solved = test::solved_text(sliding_box("1", "1") + four_feet("ground"));
+  CHECK(solved.motions.front().modes.front() == "slip");
+  for (const char* along : {"ax", "ay"}) {
+    const Range a = value(solved, along);  // - mu g / sqrt(2) = - sqrt(2)
+    CHECK(*a.upper < 0);
+    CHECK(*a.lower * *a.lower >= 2);
+    CHECK(*a.upper * *a.upper <= 2);
+    CHECK(*a.upper - *a.lower < Rational(1, 1'000'000));
   }
-  const SolvedSpace solved = test::solved_text(text);
+  CHECK(solved.motions.front().slips[0]->lower.value() <= 45);
+  CHECK(solved.motions.front().slips[0]->upper.value() >= 45);
+}
+
+TEST_CASE("a box that slides on four feet has one motion, by forces that are open along one direction") {
+  const SolvedSpace solved = test::solved_text(moving_belt + sliding_box("0", "0") + four_feet("belt"));
   REQUIRE(solved.motions.size() == 1);
   const SpaceMotion& motion = solved.motions.front();
   CHECK(motion.unique);
