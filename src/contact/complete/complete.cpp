@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/parallel/in_parallel.hpp"
+#include "contact/complete/motion/forces_at.hpp"
 #include "contact/complete/motion/frictionless.hpp"
 #include "contact/complete/motion_list.hpp"
 #include "contact/complete/splitting.hpp"
@@ -29,7 +30,11 @@ class SolutionSearch {
     root.pattern.resize(exact_.contacts());
     found_.nodes.push_back(root);
     std::vector<std::size_t> level{0};
-    if (is_without_friction(std::vector<Rational>(exact_.size()))) level.clear();
+    if (is_without_friction(std::vector<Rational>(exact_.size()))) {
+      level.clear();
+    } else if (exact_.dimension == 3) {
+      find_rest();
+    }
     while (!level.empty() && found_.nodes.size() < options_.most_nodes && work_with(level.size()) <= options_.effort) {
       const std::size_t known = found_.motions.size();
       if (options_.progress) options_.progress({found_.nodes.size(), level.size(), known});
@@ -71,6 +76,23 @@ class SolutionSearch {
     found_.nodes[0] = {ContactPattern(exact_.contacts()), End::frictionless, {}, 0, {}, 0, 0, 0};
     list_.keep_only(std::move(*motion));
     return true;
+  }
+
+  /// Rest, before patterns are many: with several bodies the search may end before it comes to where all stick.
+  void find_rest() {
+    ContactPattern pattern(exact_.contacts());
+    for (std::size_t k = 0; k < pattern.size(); ++k) {
+      pattern[k].kind = exact_.has_friction(k) ? Kind::stick : Kind::closed;
+    }
+    Visit visit;
+    PatternProgram program(exact_, problem_.integers, problem_.floating, pattern, PatternProgram::Cones::within);
+    if (program.feasibility().point) find_from(pattern, program.middle(), visit);
+    visit.programs = program.solved();
+    if (visit.candidates.empty()) {  // perhaps at a border of the cones, as at a threshold
+      if (auto motion = rest_by_short_forces(exact_)) visit.candidates.push_back(std::move(*motion));
+    }
+    found_.programs += visit.programs;
+    for (SpatialMotion& candidate : visit.candidates) list_.add(std::move(candidate));
   }
 
   /// Each node sees the motions that were known when its generation began: so threads change nothing.

@@ -4,6 +4,8 @@ namespace slipproof {
 
 namespace {
 
+using Kind = ContactState::Kind;
+
 constexpr std::size_t most_pivots = 1000, most_rays = 160;
 
 Rational square_of_tangent(const ExactContacts& contacts, std::span<const Rational> x, std::size_t contact) {
@@ -221,6 +223,20 @@ ForceFamily forces_at(const ExactContacts& contacts, const SpatialMotion& motion
   if (open > family.open_directions) family = {std::move(*r), open, false};
   family.are_all = rays.are_all() || (rays.has_all_directions() && open == most);
   return family;
+}
+
+std::optional<SpatialMotion> rest_by_short_forces(const ExactContacts& contacts) {
+  constexpr std::size_t most_contacts = 5;
+  if (contacts.contacts() > most_contacts) return std::nullopt;
+  SpatialMotion rest;
+  rest.u.resize(contacts.size()), rest.r.resize(contacts.size());
+  auto r = ForcesAlong(contacts, rest.u, MotionRays(contacts, rest).rays()).most_even();
+  if (!r) return std::nullopt;
+  ContactPattern mode(contacts.contacts());
+  for (std::size_t k = 0; k < mode.size(); ++k) mode[k].kind = contacts.has_friction(k) ? Kind::stick : Kind::closed;
+  auto motion = exact_motion(contacts, mode, std::move(*r));
+  if (motion) motion->open_directions = forces_at(contacts, *motion).open_directions;
+  return motion;
 }
 
 }  // namespace slipproof

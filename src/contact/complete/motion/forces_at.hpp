@@ -43,6 +43,9 @@ struct ForceFamily {
   bool are_all = true;              ///< and along no more
 };
 
+/// With u = 0 at all contacts, by forces that are sums of the rays of forces_at(), for up to five contacts.
+std::optional<SpatialMotion> rest_by_short_forces(const ExactContacts& contacts);
+
 /// Of a motion that is_exact(): its own forces, if there are none that are open along more directions.
 ForceFamily forces_at(const ExactContacts& contacts, const SpatialMotion& motion);
 
