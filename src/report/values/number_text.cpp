@@ -18,6 +18,8 @@ std::string number_text(const Rational& x, int digits) {
   const std::string exact = exact_text(x);
   const std::string decimal = decimal_text(x, digits);
   if (exact == decimal) return exact;
+  constexpr std::size_t longest = 60;
+  if (exact.size() > longest) return fmt::format("{:<14} = a fraction of {} digits", decimal, exact.size());
   return fmt::format("{:<14} = {}", decimal, exact);
 }
 

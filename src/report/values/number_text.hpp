@@ -8,7 +8,8 @@
 
 namespace slipproof {
 
-/// A short number exactly; a longer one as a decimal with this many significant digits, then exactly.
+/// A short number exactly; a longer one as a decimal with this many significant digits, then exactly, or how long that
+/// is.
 std::string number_text(const Rational& x, int digits);
 
 /// `[0.5, 3.33333)`; for a point `F = 0.5`.
