@@ -149,7 +149,7 @@ std::pair<std::string, Rational> setting(const std::string& text) {
 }
 
 MechanismScene scene_of(const ExportArguments& arguments) {
-  const MechanismScene scene = read_scene(arguments.scene, arguments.bodies ? Dimensions::plane : Dimensions::any);
+  const MechanismScene scene = read_scene(arguments.scene, Dimensions::any);
   const char* option = "--set";
   try {
     std::vector<std::pair<std::string, Rational>> values;
