@@ -77,6 +77,18 @@ def test_answers_are_compared_with_the_whole_range():
         assert_motion(cube, {"ax": (ax.lower + ax.upper) / 2}, only=True)
 
 
+def test_records_and_searches_are_those_of_the_program(program, tmp_path):
+    records = tmp_path / "records.csv"
+    records.write_text("F,ax,ay,az,alphax,alphay,alphaz\n30,6,8,0,0,0,0\n9,0,0,0,0,0,0\n30,8,6,0,0,0,0\n")
+    scene = tmp_path / "sledge.toml"
+    scene.write_text(sledge().scene({"mu": "1/2"}).to_toml())
+    verdicts = slipproof.certify_file(records, scene=scene)
+    assert list(verdicts.verdicts) == ["certified", "certified", "wrong"]
+    found = sledge().search(samples=4)
+    assert found.verdict == "none found" and found.to_dict()["one"] == 4 and found.to_dict()["undecided"] == 0
+    assert slipproof.search("cases/space/mechanisms/leaning-rod.toml", samples=3, within="F = 3 and mu = 1 and g = 10").verdict == "found"
+
+
 def test_what_is_in_the_plane_only_says_so():
     with pytest.raises(slipproof.InputError, match="found a mechanism in space, expected one in the plane"):
         slipproof.critical("cases/space/domino.toml")

@@ -23,7 +23,7 @@ _SCHEMA = "slipproof/mechanism/1"
 
 class Search(Report):
     """The result of a search. ``verdict``: ``found`` and ``none found`` are about the samples; ``unique`` is proved for
-    the whole domain; ``undecided`` if no point of the domain was found."""
+    the whole domain; ``undecided`` if no point of the domain was found, or one in space is undecided."""
 
     def __init__(self, document: str, text: str, verdict: str):
         super().__init__(document, text)
@@ -192,7 +192,8 @@ class Mechanism(Result):
 
     def search(self, *, within: str = "", wanted: Optional[str] = None, samples: Optional[int] = None, seed: int = 1,
                hysteresis: bool = False, threads: int = 0, progress: Progress = None) -> Search:
-        """Searches samples of the domain, for every load, for points with no motion, several, or a continuum.
+        """Searches samples of the domain, for every load (in space, for one), for points with no motion, several, or a
+        continuum.
 
         ``within`` narrows the domain, ``"mu < 1"``; with ``wanted`` (none, several, continuum) the search ends at the
         first such place. ``samples``: points of the domain, by default 30 to 2000; ``seed`` of them. ``hysteresis``:
