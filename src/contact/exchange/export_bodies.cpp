@@ -22,14 +22,13 @@ class BodiesExporter {
         bodies_(*m_.bodies),
         frames_(frames(bodies_)),
         maker_(m_),
-        at_(maker_.at(scene.values)),
-        problem_(maker_.problem(scene.values)) {
+        at_(maker_.at(scene.values)) {
     if (scene.load) at_.set(maker_.compiled().load(), *scene.load);
   }
 
   std::string line() {
     Json document{{"schema", "slipproof/bodies/1"}, {"name", scene_.name.empty() ? m_.name : scene_.name}};
-    document["gravity"] = pair(unplaced(bodies_.gravity), bodies_.gravity.place);
+    document["gravity"] = coordinates(unplaced(bodies_.gravity), bodies_.gravity.place);
     document["bodies"] = Json::array();
     for (std::size_t i = ground + 1; i < bodies_.bodies.size(); ++i)
       document["bodies"].push_back(body(bodies_.bodies[i]));
@@ -63,15 +62,22 @@ class BodiesExporter {
     return binary64(*value.number, place);
   }
   Json number(const PlacedExpression& placed) { return number(unplaced(placed), placed.place()); }
-  Json pair(const SceneVector& vector, Place place) {
-    return Json::array({number(vector.x, place), number(vector.y, place)});
+  bool in_space() const { return bodies_.dimension == 3; }
+  Json coordinates(const SceneVector& vector, Place place) {
+    Json result = Json::array({number(vector.x, place), number(vector.y, place)});
+    if (in_space()) result.push_back(number(vector.z, place));
+    return result;
   }
-  Json pair(const PlacedVector& given) { return pair(unplaced(given), given.place); }
+  /// A turn, a spin or a couple: in the plane one number.
+  Json turning(const SceneVector& vector, Place place) {
+    return in_space() ? coordinates(vector, place) : number(vector.z, place);
+  }
+  Json coordinates(const PlacedVector& given) { return coordinates(unplaced(given), given.place); }
   void put(Json& object, const char* key, const PlacedExpression& given) {
     if (given) object[key] = number(given);
   }
   void put(Json& object, const char* key, const PlacedVector& given) {
-    if (given) object[key] = pair(given);
+    if (given) object[key] = coordinates(given);
   }
   const std::string& body_name(std::size_t index) const { return bodies_.bodies[index].name; }
   const std::string& unknown(std::size_t index) const { return m_.unknowns[index].symbol; }
@@ -80,13 +86,13 @@ class BodiesExporter {
     Json entry{{"name", body.name}};
     const Frame frame(body);
     put(entry, "mass", body.mass);
-    put(entry, "inertia", body.inertia.entries[2]);
-    if (body.is_prescribed()) entry["acceleration"] = pair(frame.acceleration, body.place);
-    if (!body.inertia) entry["turning"] = number(frame.turning.z, body.place);
-    entry["at"] = pair(frame.at, body.at.place);
-    entry["angle"] = pair({frame.turn.entry(0, 0), frame.turn.entry(1, 0)}, body.place);
-    entry["velocity"] = pair(frame.velocity, body.velocity.place);
-    entry["spin"] = number(frame.spin.z, body.place);
+    if (body.inertia) entry["inertia"] = inertia(body.inertia);
+    if (body.is_prescribed()) entry["acceleration"] = coordinates(frame.acceleration, body.place);
+    if (!body.inertia) entry["turning"] = turning(frame.turning, body.place);
+    entry["at"] = coordinates(frame.at, body.at.place);
+    entry[in_space() ? "turn" : "angle"] = turn(frame, body.place);
+    entry["velocity"] = coordinates(frame.velocity, body.velocity.place);
+    entry["spin"] = turning(frame.spin, body.place);
     entry["shapes"] = list(body.shapes, &BodiesExporter::shape);
     entry["unknowns"] = Json::array();
     for (const Body::Unknown& one : body.unknowns) {
@@ -95,10 +101,46 @@ class BodiesExporter {
     return entry;
   }
 
+  Json inertia(const PlacedInertia& given) {
+    if (!in_space()) return number(given.entries[2]);
+    Json result = Json::array();
+    for (const PlacedExpression& entry : given.entries) result.push_back(entry ? number(entry) : Json(0.0));
+    return result;
+  }
+
+  /// In the plane a cosine and a sine, in space the rows of the rotation from the body's axes into those of the scene.
+  Json turn(const Frame& frame, Place place) {
+    const auto entry = [&](std::size_t i, std::size_t j) { return number(frame.turn.entry(i, j), place); };
+    if (!in_space()) return Json::array({entry(0, 0), entry(1, 0)});
+    Json rows = Json::array();
+    for (std::size_t i = 0; i < 3; ++i) rows.push_back({entry(i, 0), entry(i, 1), entry(i, 2)});
+    return rows;
+  }
+
+  Json solid(const BodyShape& shape, const SceneVector& centre) {
+    using Kind = BodyShape::Kind;
+    if (shape.kind == Kind::hull) {
+      Json points = Json::array();
+      for (const PlacedVector& point : shape.points) points.push_back(coordinates(point));
+      return {{"hull", std::move(points)}};
+    }
+    Json sizes = Json::array();
+    if (shape.kind == Kind::box) sizes = {number(shape.width), number(shape.depth), number(shape.height)};
+    if (shape.kind == Kind::sphere) sizes = number(shape.radius);
+    if (shape.kind == Kind::cylinder || shape.kind == Kind::capsule)
+      sizes = {number(shape.radius), number(shape.height)};
+    constexpr std::array<std::string_view, 8> words{"", "", "box", "", "sphere", "cylinder", "capsule", "hull"};
+    Json entry{{words[static_cast<std::size_t>(shape.kind)], std::move(sizes)},
+               {"at", coordinates(centre, shape.place)}};
+    put(entry, "axis", shape.axis);
+    return entry;
+  }
+
   Json shape(const BodyShape& shape) {
     const SceneVector centre = shape.points.empty() ? unplaced(PlacedVector{}) : unplaced(shape.points.front());
+    if (in_space()) return solid(shape, centre);
     if (shape.kind == BodyShape::Kind::circle) {
-      return {{"circle", number(shape.radius)}, {"at", pair(centre, shape.place)}};
+      return {{"circle", number(shape.radius)}, {"at", coordinates(centre, shape.place)}};
     }
     Json points = Json::array();
     if (shape.kind == BodyShape::Kind::box) {
@@ -106,10 +148,10 @@ class BodiesExporter {
                        y = over(unplaced(shape.height), make_number(2));
       const Expression left = negative_of(x), low = negative_of(y);
       for (const SceneVector& corner : {SceneVector{left, low}, {x, low}, {x, y}, {left, y}}) {
-        points.push_back(pair(centre + corner, shape.place));
+        points.push_back(coordinates(centre + corner, shape.place));
       }
     } else {
-      for (const PlacedVector& point : shape.points) points.push_back(pair(point));
+      for (const PlacedVector& point : shape.points) points.push_back(coordinates(point));
     }
     return {{shape.kind == BodyShape::Kind::line ? "line" : "polygon", std::move(points)}};
   }
@@ -117,13 +159,13 @@ class BodiesExporter {
   Json contact(const BodyContact& contact) {
     const MechanismContact& given = m_.contacts[contact.contact];
     Json entry{{"name", given.name}, {"of", body_name(contact.of)}, {"on", body_name(contact.on)}};
-    entry["point"] = pair(contact.point);
+    entry["point"] = coordinates(contact.point);
     entry["radius"] = number(contact.radius);
     put(entry, "normal", contact.normal);
     put(entry, "through", contact.through);
     put(entry, "on_point", contact.on_point);
     put(entry, "on_radius", contact.on_radius);
-    entry["friction"] = number(given.kinetic_friction);
+    entry["friction"] = given.kinetic_friction ? number(given.kinetic_friction) : Json(0.0);
     if (given.static_friction && !same(given.static_friction.expression, given.kinetic_friction.expression)) {
       put(entry, "static_friction", given.static_friction);
     }
@@ -131,6 +173,10 @@ class BodiesExporter {
     put(entry, "slip_direction", contact.slip_direction);
     entry["forces"] = Json::array({unknown(given.normal)});
     if (given.tangent) entry["forces"].push_back(unknown(*given.tangent));
+    if (given.second) {
+      entry["forces"].push_back(unknown(given.second->force));
+      entry["tangents"] = {along(given.slip_direction), along(given.second->direction)};
+    }
     if (contact.rolling) {
       put(entry, "rolling_resistance", contact.rolling_resistance);
       entry["rolling_force"] = unknown(m_.friction[*contact.rolling].force);
@@ -139,10 +185,16 @@ class BodiesExporter {
     return entry;
   }
 
+  Json along(const std::vector<PlacedExpression>& direction) {
+    Json result = Json::array();
+    for (const PlacedExpression& component : direction) result.push_back(number(component));
+    return result;
+  }
+
   /// Elements that do not start at rest.
   void put_state(Json& entry, std::size_t element) const {
     const ElementKind::Start start = scene_.values.starts[element];
-    if (start != ElementKind::Start::rest) entry["state"] = name(start);
+    if (start != ElementKind::Start::rest) entry["state"] = name(start, m_.dimension);
   }
 
   Json joint(const BodyJoint& joint) {
@@ -156,10 +208,11 @@ class BodiesExporter {
       const Frame &first = frames_[joint.first], &second = frames_[joint.second];
       const SceneVector at = unplaced(joint.at);
       const SceneVector same_place = second.in_body(first.at + first.in_scene(at) - second.at);
-      entry["at"] = pair(at, joint.place);
-      entry["to"] = joint.to ? pair(joint.to) : pair(same_place, joint.place);
+      entry["at"] = coordinates(at, joint.place);
+      entry["to"] = joint.to ? coordinates(joint.to) : coordinates(same_place, joint.place);
     }
     put(entry, "axis", joint.axis);
+    put(entry, "to_axis", joint.to_axis);
     put(entry, "length", joint.length);
     put(entry, "force", joint.tension);
     entry["forces"] = Json::array();
@@ -175,10 +228,11 @@ class BodiesExporter {
   Json friction(const BodyFriction& friction) {
     const MechanismFriction& given = m_.friction[friction.friction];
     const std::size_t element = m_.contacts.size() + friction.friction;
-    AffineForm limit = problem_.elements[element].kinetic_limit;
-    if (problem_.has_load) {
-      limit.constant += limit.coefficients[problem_.load_index()] * *scene_.load;
-      limit.coefficients[problem_.load_index()] = 0;
+    const FrictionProblem problem = maker_.problem(scene_.values);
+    AffineForm limit = problem.elements[element].kinetic_limit;
+    if (problem.has_load) {
+      limit.constant += limit.coefficients[problem.load_index()] * *scene_.load;
+      limit.coefficients[problem.load_index()] = 0;
     }
     for (const Rational& coefficient : limit.coefficients) {
       if (!coefficient.is_zero()) refuse(given.place, given.name + ": found a limit that depends on other forces");
@@ -203,20 +257,22 @@ class BodiesExporter {
     }
     document["torques"] = Json::array();
     for (const BodyTorque& torque : bodies_.torques) {
-      const Expression is = unplaced(torque.is).z;
+      const SceneVector given = unplaced(torque.is);
+      const SceneVector is = torque.follows ? frames_[torque.on].in_scene(given) : given;
       put_torque(document, torque.on, is, torque.place);
-      if (torque.back_on) put_torque(document, *torque.back_on, negative_of(is), torque.place);
+      if (torque.back_on) put_torque(document, *torque.back_on, -is, torque.place);
     }
   }
 
   /// Nothing for what is prescribed, the ground among it: no force moves that.
   void put_force(Json& document, std::size_t on, const SceneVector& at, const SceneVector& is, Place place) {
     if (bodies_.bodies[on].is_prescribed()) return;
-    document["forces"].push_back({{"on", body_name(on)}, {"at", pair(at, place)}, {"is", pair(is, place)}});
+    document["forces"].push_back(
+        {{"on", body_name(on)}, {"at", coordinates(at, place)}, {"is", coordinates(is, place)}});
   }
-  void put_torque(Json& document, std::size_t on, const Expression& is, Place place) {
+  void put_torque(Json& document, std::size_t on, const SceneVector& is, Place place) {
     if (!bodies_.bodies[on].turns_freely()) return;
-    document["torques"].push_back({{"on", body_name(on)}, {"is", number(is, place)}});
+    document["torques"].push_back({{"on", body_name(on)}, {"is", turning(is, place)}});
   }
 
   const MechanismScene& scene_;
@@ -225,7 +281,6 @@ class BodiesExporter {
   const std::vector<Frame> frames_;
   const ProblemMaker maker_;
   Evaluator<Rational> at_;
-  const FrictionProblem problem_;
 };
 
 }  // namespace

@@ -6,8 +6,10 @@
 #include <string>
 
 #include "claims/reading/read_claims_file.hpp"
+#include "contact/space/search_space.hpp"
 #include "faces/python/bind.hpp"
 #include "faces/python/interruptible.hpp"
+#include "mechanics/mechanism/forms.hpp"
 #include "mechanics/scene/narrow.hpp"
 #include "proofs/check/files.hpp"
 #include "proofs/check_contact/files.hpp"
@@ -86,7 +88,11 @@ py::tuple check(const std::vector<std::string>& paths) {
 
 Report search_report(const std::string& name, const std::optional<std::string>& text, const std::string& within,
                      SearchOptions options, Call& call) {
-  Mechanism mechanism = mechanism_of(name, text);
+  Mechanism mechanism = mechanism_of(name, text, Dimensions::any);
+  if (mechanism.dimension == 3) {
+    mechanism = without_load(mechanism);
+    options.in_space = found_in_space;
+  }
   if (!within.empty()) mechanism = narrowed(mechanism, within, "within");
   options.progress = [&call](std::uint64_t done, std::uint64_t all) { call.at(done, all); };
   MotionSearch search(mechanism, options);

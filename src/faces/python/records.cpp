@@ -37,7 +37,7 @@ CertifyOptions record_options(const std::string& path, const std::optional<std::
                               const std::optional<std::string>& mechanism) {
   CertifyOptions options;
   options.file = path;
-  if (mechanism) options.mechanism.emplace(open_mechanism(*mechanism));
+  if (mechanism) options.mechanism.emplace(open_mechanism(*mechanism, {}, Dimensions::any));
   if (scene) options.mechanism = records_of_scene(read_text_file(*scene), *scene);
   return options;
 }

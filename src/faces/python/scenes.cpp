@@ -8,6 +8,7 @@
 #include "base/input/diagnostic.hpp"
 #include "claims/uniqueness/along.hpp"
 #include "contact/problem/every_push.hpp"
+#include "contact/space/solve_space.hpp"
 #include "faces/python/bind.hpp"
 #include "faces/python/interruptible.hpp"
 #include "faces/python/numbers.hpp"
@@ -17,6 +18,7 @@
 #include "mechanics/reading/shipped.hpp"
 #include "mechanics/scene/solve_mechanism.hpp"
 #include "report/scenes/mechanism_report.hpp"
+#include "report/scenes/space_report.hpp"
 #include "report/uniqueness/uniqueness_report.hpp"
 
 namespace slipproof::python {
@@ -135,12 +137,27 @@ py::list Solution::cells() const {
   return cells;
 }
 
-Solution solve(const MechanismScene& scene) {
-  if (!is_short(scene)) {
-    return Solution(interruptible([scene](Call&) { return std::make_unique<const Found>(scene); }));
-  }
+/// A scene in space with all its motions. Python reads their numbers from the document.
+class SpaceSolution {
+ public:
+  explicit SpaceSolution(SolvedSpace solved) : solved_(std::move(solved)) {}
+
+  std::string json() const { return space_json(solved_); }
+  std::string text(int digits) const { return text_of(space_document(solved_, digits)); }
+
+ private:
+  SolvedSpace solved_;
+};
+
+std::unique_ptr<const Found> found(const MechanismScene& scene) {
+  if (!is_short(scene)) return interruptible([scene](Call&) { return std::make_unique<const Found>(scene); });
   const WithoutInterpreter released;
-  return Solution(std::make_unique<const Found>(scene));
+  return std::make_unique<const Found>(scene);
+}
+
+py::object solve(const MechanismScene& scene) {
+  if (scene.mechanism.dimension == 2) return py::cast(Solution(found(scene)));
+  return py::cast(SpaceSolution(interruptible([scene](Call&) { return solve_space(scene); })));
 }
 
 /// (document, text). An empty `x` stands for the usual parameter.
@@ -160,9 +177,11 @@ py::tuple critical(const std::string& text, const std::string& file, const std::
 
 void bind_scene(py::module_& module) {
   py::class_<MechanismScene>(module, "Scene")
-      .def(py::init([](const std::string& text, const std::string& file) { return parse_scene(text, file); }))
+      .def(py::init(
+          [](const std::string& text, const std::string& file) { return parse_scene(text, file, Dimensions::any); }))
       .def_property_readonly("name", [](const MechanismScene& scene) { return scene.name; })
       .def_property_readonly("notes", [](const MechanismScene& scene) { return scene.notes; })
+      .def_property_readonly("dimension", [](const MechanismScene& scene) { return scene.mechanism.dimension; })
       .def("solve", &solve);
   py::class_<Solution>(module, "Solution")
       .def("json", &Solution::json)
@@ -170,6 +189,9 @@ void bind_scene(py::module_& module) {
       .def("motions", &Solution::motions)
       .def("number", &Solution::number)
       .def("cells", &Solution::cells);
+  py::class_<SpaceSolution>(module, "SpaceSolution")
+      .def("json", &SpaceSolution::json)
+      .def("text", &SpaceSolution::text);
 }
 
 py::dict parameter(const MechanismParameter& p) {
@@ -190,6 +212,7 @@ py::dict described(const Mechanism& mechanism) {
   for (std::size_t i = 0; i < mechanism.elements(); ++i) elements.append(element_name(mechanism, i));
   about["name"] = mechanism.name;
   about["source"] = mechanism.source;
+  about["dimension"] = mechanism.dimension;
   about["parameters"] = std::move(parameters);
   about["angles"] = std::move(angles);
   about["load"] = mechanism.load ? py::object(py::str(mechanism.load->symbol)) : py::none();
@@ -199,8 +222,10 @@ py::dict described(const Mechanism& mechanism) {
 
 }  // namespace
 
-Mechanism mechanism_of(const std::string& name, const std::optional<std::string>& text) {
-  return text ? parse_mechanism(*text, name) : open_mechanism(name);
+Mechanism mechanism_of(const std::string& name, const std::optional<std::string>& text, Dimensions dimensions) {
+  Mechanism mechanism = text ? parse_mechanism(*text, name) : open_mechanism(name, {}, Dimensions::any);
+  refuse_other(mechanism, dimensions);
+  return mechanism;
 }
 
 py::tuple to_python(const Rational& x) {
@@ -213,14 +238,14 @@ void bind_scenes(py::module_& module) {
   module.def(
       "describe_mechanism",
       [](const std::string& name, const std::optional<std::string>& text) {
-        return described(mechanism_of(name, text));
+        return described(mechanism_of(name, text, Dimensions::any));
       },
       py::arg("name"), py::arg("text") = py::none());
   module.def(
       "show_mechanism",
       [](const std::string& name, const std::optional<std::string>& text) {
         return interruptible([name, text](Call&) {
-          const Mechanism shown = mechanism_of(name, text);
+          const Mechanism shown = mechanism_of(name, text, Dimensions::any);
           return show_text(shown, check_mechanism(shown));
         });
       },

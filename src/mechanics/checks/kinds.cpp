@@ -63,6 +63,7 @@ std::vector<const SymbolicForm*> lines_of(const Mechanism& mechanism) {
   for (const MechanismContact& contact : mechanism.contacts) {
     lines.push_back(&contact.gap_form);
     if (contact.slip) lines.push_back(&contact.slip_form);
+    if (contact.second) lines.push_back(&contact.second->form);
   }
   for (const MechanismFriction& friction : mechanism.friction) lines.push_back(&friction.slip_form);
   return lines;
@@ -90,7 +91,11 @@ KindSets kind_sets(const Mechanism& mechanism, const std::vector<const SymbolicF
   for (const MechanismContact& contact : mechanism.contacts) {
     if (contact.slip) sets.join(line, line + 1);
     if (contact.tangent) sets.join(contact.normal, *contact.tangent);
-    line += contact.slip ? 2 : 1;
+    if (contact.second) {
+      sets.join(line, line + 2);
+      sets.join(contact.normal, contact.second->force);
+    }
+    line += contact.second ? 3 : contact.slip ? 2 : 1;
   }
   return sets;
 }

@@ -262,6 +262,19 @@ void collect_load_domain(Mechanism& mechanism) {
   }
 }
 
+void load_becomes_parameter(Mechanism& mechanism) {
+  if (!mechanism.load) return;
+  MechanismLoad& old = *mechanism.load;
+  PlacedExpression domain{make_truth(true), {}};
+  for (const PlacedExpression& condition : old.domain) {
+    const bool first = domain.expression->operation == Operation::truth;
+    domain = {first ? condition.expression : make(Operation::logical_and, {domain.expression, condition.expression}),
+              condition.text};
+  }
+  mechanism.parameters.push_back({old.symbol, std::move(domain), old.unit, old.meaning, false, old.place});
+  mechanism.load.reset();
+}
+
 void parameter_becomes_load(Mechanism& mechanism, std::size_t index) {
   MechanismParameter parameter = mechanism.parameters[index];
   mechanism.parameters.erase(mechanism.parameters.begin() + static_cast<std::ptrdiff_t>(index));
@@ -269,16 +282,7 @@ void parameter_becomes_load(Mechanism& mechanism, std::size_t index) {
     std::erase(contact.lift_needs, index);  // every motion is asked about with a value of the load
     for (std::size_t& needed : contact.lift_needs) needed -= needed > index ? 1 : 0;
   }
-  if (mechanism.load) {
-    MechanismLoad& old = *mechanism.load;
-    PlacedExpression domain{make_truth(true), {}};
-    for (const PlacedExpression& condition : old.domain) {
-      const bool first = domain.expression->operation == Operation::truth;
-      domain = {first ? condition.expression : make(Operation::logical_and, {domain.expression, condition.expression}),
-                condition.text};
-    }
-    mechanism.parameters.push_back({old.symbol, std::move(domain), old.unit, old.meaning, false, old.place});
-  }
+  load_becomes_parameter(mechanism);
   mechanism.load =
       MechanismLoad{parameter.symbol, {parameter.domain}, parameter.unit, parameter.meaning, parameter.place};
 }
@@ -315,6 +319,17 @@ Mechanism with_load(const Mechanism& mechanism, std::string_view parameter) {
   collect_load_domain(changed);
   derive_forms(changed, mistakes);
   load_bounds(changed, mistakes);
+  mistakes.refuse_if_any();
+  return changed;
+}
+
+Mechanism without_load(const Mechanism& mechanism) {
+  if (!mechanism.load) return mechanism;
+  Mistakes mistakes(mechanism.file);
+  Mechanism changed = mechanism;
+  changed.shipped = false;
+  load_becomes_parameter(changed);
+  derive_forms(changed, mistakes);
   mistakes.refuse_if_any();
   return changed;
 }

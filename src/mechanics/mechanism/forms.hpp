@@ -19,6 +19,9 @@ void derive_forms(Mechanism& mechanism, Mistakes& mistakes);
 /// parameter, if it multiplies an unknown, or if the conditions on it are not an interval.
 Mechanism with_load(const Mechanism& mechanism, std::string_view parameter);
 
+/// The mechanism with its load, if it has one, as the last of its parameters.
+Mechanism without_load(const Mechanism& mechanism);
+
 /// The comparisons of the load's domain, as forms in the load alone.
 struct LoadBound {
   Expression load, constant;  ///< load * (the load) + constant

@@ -22,8 +22,9 @@ void refuse_other(const Mechanism& mechanism, Dimensions dimensions) {
   const Place place = mechanism.dimension_place;
   throw InputError(
       {{mechanism.file, place.line, place.column,
-        "dimension: found a mechanism in space, expected one in the plane: of scenes in space `solve` finds "
-        "all motions, `draw` draws them, `export` writes the contact problem, `show` the equations"}});
+        "dimension: found a mechanism in space, expected one in the plane: in space motions are not known over ranges "
+        "of loads or parameters. `solve` finds all motions at one point, `search --within` at samples; `certify`, "
+        "`expect`, `draw`, `export` and `show` take scenes in space, too"}});
 }
 
 std::vector<std::string_view> value_names(const Mechanism& mechanism) {

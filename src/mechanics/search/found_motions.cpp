@@ -9,8 +9,8 @@
 namespace slipproof {
 
 std::string_view name(MotionCount count) {
-  constexpr std::array<std::string_view, motion_counts> names{"one",     "none",      "none_modelled",
-                                                              "several", "continuum", "hysteresis"};
+  constexpr std::array<std::string_view, motion_counts> names{"one",       "none",       "none_modelled", "several",
+                                                              "continuum", "hysteresis", "undecided"};
   return names[static_cast<std::size_t>(count)];
 }
 
@@ -31,7 +31,7 @@ MotionCount count_of(const LoadCell& cell, bool all_modelled) {
 }
 
 FoundMotions found_in(const LoadCell& cell, const std::vector<std::size_t>& not_modelled) {
-  FoundMotions found{count_of(cell, not_modelled.empty()), {}, 0, cell.continua, not_modelled};
+  FoundMotions found{count_of(cell, not_modelled.empty()), {}, 0, cell.continua, not_modelled, {}};
   for (const MotionOverLoads& motion : cell.motions) {
     if (motion.modes.empty()) {
       ++found.on_boundary;

@@ -4,10 +4,13 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "mechanics/kernel/motions.hpp"
+#include "mechanics/points/problem.hpp"
 
 namespace slipproof {
 
@@ -18,10 +21,11 @@ enum class MotionCount : std::uint8_t {
   none_modelled,  ///< none in a problem in which some contact that may open does not: see lift_needs
   several,
   continuum,
-  hysteresis  ///< several, but one where the static coefficients are as low as the kinetic ones
+  hysteresis,  ///< several, but one where the static coefficients are as low as the kinetic ones
+  undecided    ///< in space: there may be more than what was found
 };
-inline constexpr std::size_t motion_counts = 6;
-/// `one`, `none`, `none_modelled`, `several`, `continuum`, `hysteresis`.
+inline constexpr std::size_t motion_counts = 7;
+/// `one`, `none`, `none_modelled`, `several`, `continuum`, `hysteresis`, `undecided`.
 std::string_view name(MotionCount count);
 
 /// The motions at one load by their modes, sorted. A motion on a boundary of modes, strict in none, is only counted:
@@ -31,11 +35,15 @@ struct FoundMotions {
   std::vector<std::vector<MechanismMode>> modes;  ///< of each motion that is strict in some, those
   std::size_t on_boundary = 0;                    ///< motions that are strict in none
   std::vector<MechanismMode> continua;
-  std::vector<std::size_t> not_modelled;  ///< contacts that do not open for want of a parameter
+  std::vector<std::size_t> not_modelled;   ///< contacts that do not open for want of a parameter
+  std::vector<std::string> in_space = {};  ///< there the modes of the motions, in place of `modes`: `slip/lift`
 
-  std::size_t motions() const { return modes.size() + on_boundary; }
+  std::size_t motions() const { return modes.size() + on_boundary + in_space.size(); }
   auto operator<=>(const FoundMotions&) const = default;
 };
+
+/// Finds the motions of a mechanism in space at a point; it has no load. Throws NoValue.
+using FindInSpace = std::function<FoundMotions(const Mechanism&, const MechanismValues&)>;
 
 /// Loads at which the same motions are found.
 struct FoundOverLoads {

@@ -11,6 +11,7 @@
 namespace slipproof {
 
 std::uint64_t default_samples(const Mechanism& mechanism) {
+  if (mechanism.dimension == 3) return 30;
   const double modes = mode_count(element_kinds(mechanism));
   return static_cast<std::uint64_t>(std::clamp(500'000 / (modes * modes), 30.0, 2'000.0));
 }
@@ -25,7 +26,7 @@ class MotionSearch::Run {
  public:
   Run(const Mechanism& mechanism, const SearchOptions& options)
       : options_(options),
-        finder_(mechanism, !options.hysteresis),
+        finder_(mechanism, !options.hysteresis, options.in_space),
         points_(mechanism, finder_.maker(), options.seed),
         samples_(options.samples.value_or(default_samples(mechanism))) {}
 
@@ -103,7 +104,8 @@ class MotionSearch::Run {
   void add(const FoundMotions& found, const std::vector<FoundOverLoads>& all, const MechanismValues& values,
            Shown& shown) const {
     shown.counts.insert(found.count);
-    if (found.count == MotionCount::hysteresis) return;
+    if (found.count == MotionCount::undecided) shown.one_everywhere = false;
+    if (found.count == MotionCount::hysteresis || found.count == MotionCount::undecided) return;
     shown.one_everywhere = shown.one_everywhere && found.count == MotionCount::one;
     if (options_.wanted && (found.count != *options_.wanted || !shown.places.empty())) return;
     const auto same = [&](const auto& place) { return place.first == found; };
@@ -130,7 +132,7 @@ class MotionSearch::Run {
   /// Finds simpler places for the cells, in the order in which they are reported.
   void conclude(Crew* crew) {
     const auto rank = [](MotionCount count) {
-      constexpr std::array<int, motion_counts> ranks{5, 0, 3, 1, 2, 4};
+      constexpr std::array<int, motion_counts> ranks{5, 0, 3, 1, 2, 4, 6};
       return ranks[static_cast<std::size_t>(count)];
     };
     for (auto& [found, kept] : kept_) {

@@ -23,6 +23,8 @@ struct SearchOptions {
   unsigned threads = 0;               ///< 0: all cores
   std::optional<MotionCount> wanted;  ///< this alone, and the first of it ends the search
   bool hysteresis = false;            ///< hysteresis counts as several motions
+  /// For a mechanism in space, which has no load: without_load() makes it a parameter.
+  FindInSpace in_space = {};
   /// Called now and then, from one thread, with the number of samples done and of all.
   std::function<void(std::uint64_t, std::uint64_t)> progress;
 };
@@ -39,7 +41,7 @@ struct SearchResult {
   std::uint64_t tried = 0;           ///< samples that were asked for; with `wanted`, up to the first of it
   std::uint64_t samples = 0;         ///< points found in the domain at which everything has a value
   std::uint64_t without_value = 0;   ///< points at which something divides by zero
-  std::uint64_t one_everywhere = 0;  ///< samples with one motion at every load, hysteresis left out
+  std::uint64_t one_everywhere = 0;  ///< samples with one motion at every load, hysteresis and undecided left out
   std::array<std::uint64_t, motion_counts> with{};  ///< by MotionCount: samples that have it at some load
   /// Findings without hysteresis: none first, then several, continua, none_modelled, and one; frequent ones first.
   std::vector<SearchCell> cells;

@@ -34,6 +34,8 @@ void write_found(ByteWriter& bytes, const FoundMotions& found) {
   for (const auto& modes : found.modes) write_modes(bytes, modes);
   write_modes(bytes, found.continua);
   write_numbers(bytes, found.not_modelled);
+  bytes.number(found.in_space.size());
+  for (const std::string& mode : found.in_space) bytes.text(mode);
 }
 
 FoundMotions read_found(ByteReader& bytes) {
@@ -43,6 +45,7 @@ FoundMotions read_found(ByteReader& bytes) {
   for (std::uint64_t left = bytes.number(); left > 0; --left) found.modes.push_back(read_modes(bytes));
   found.continua = read_modes(bytes);
   found.not_modelled = read_numbers<std::size_t>(bytes);
+  for (std::uint64_t left = bytes.number(); left > 0; --left) found.in_space.emplace_back(bytes.text());
   return found;
 }
 

@@ -21,6 +21,7 @@ Complexity complexity(const SearchPlace& place) {
 }
 
 std::vector<FoundOverLoads> MotionFinder::at(const MechanismValues& values) const {
+  if (in_space_) return {{in_space_(*mechanism_, values), ForceInterval()}};
   const FrictionProblem problem = maker_.problem(values);
   if (problem.has_load && problem.load_domain.empty()) return {};
   std::vector<std::size_t> not_modelled;

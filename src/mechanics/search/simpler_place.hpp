@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "base/number/simplest.hpp"
 #include "mechanics/search/found_motions.hpp"
@@ -20,9 +21,12 @@ Complexity complexity(const SearchPlace& place);
 /// The motions at the points of one mechanism.
 class MotionFinder {
  public:
-  /// The mechanism must outlive the finder.
-  MotionFinder(const Mechanism& mechanism, bool hysteresis_apart)
-      : mechanism_(&mechanism), maker_(mechanism), hysteresis_apart_(hysteresis_apart) {}
+  /// The mechanism must outlive the finder. `in_space` is for one in space.
+  MotionFinder(const Mechanism& mechanism, bool hysteresis_apart, FindInSpace in_space = {})
+      : mechanism_(&mechanism),
+        maker_(mechanism),
+        hysteresis_apart_(hysteresis_apart),
+        in_space_(std::move(in_space)) {}
   const ProblemMaker& maker() const { return maker_; }
 
   /// For all loads of the domain, from below; none if it has no load. Throws NoValue.
@@ -36,6 +40,7 @@ class MotionFinder {
   const Mechanism* mechanism_;
   ProblemMaker maker_;
   bool hysteresis_apart_;
+  FindInSpace in_space_;
 };
 
 /// Replaces single values, or all that are equal or opposite, by simpler ones as long as the same motions are found in

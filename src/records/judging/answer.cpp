@@ -127,4 +127,81 @@ Distance RecordAnswer::distance(const ConsistentMode& mode, Effort& effort, std:
   return result;
 }
 
+namespace {
+
+bool holds_zero(const Range& range) {
+  return range.lower->sign() <= 0 && range.upper->sign() >= 0;
+}
+
+}  // namespace
+
+std::vector<RecordAnswer::Component> RecordAnswer::components(const SpaceMotion& motion) const {
+  std::vector<Component> result;
+  const auto add = [&](const std::optional<Range>& range, bool open) {
+    Rational smallest = 0;
+    if (range && !holds_zero(*range)) smallest = range->lower->sign() > 0 ? *range->lower : *range->upper;
+    result.push_back({{std::move(smallest), {}}, open || !range});
+  };
+  for (const Range& acceleration : motion.accelerations) add(acceleration, false);
+  for (const auto& force : motion.forces) add(force, motion.open_directions > 0);
+  return result;
+}
+
+/// |u(answer) - u(other)| <= near * sum |coefficient| * yardstick where the answer is near another motion, for each gap
+/// and slip u.
+bool RecordAnswer::is_far_from_others(const SpaceMotion& motion, const std::vector<Rational>& sizes,
+                                      const Rational& near) const {
+  const std::size_t unknowns = setting_.kinds.unknown_accelerations;
+  for (std::size_t j = 0; j < unknowns; ++j) {
+    if (!has(j)) return false;
+  }
+  for (std::size_t i = unknowns; i < motion.accelerations.size(); ++i) {
+    const AffineForm& form = problem_.accelerations[i];
+    Rational value = form.constant, slack = *motion.others_within;
+    if (load_) value += form.coefficients.back() * *load_;
+    for (std::size_t j = 0; j < unknowns; ++j) {
+      value += form.coefficients[j] * answer(j);
+      slack += near * abs(form.coefficients[j]) * sizes[j];
+    }
+    const Range& range = motion.accelerations[i];
+    if (value > *range.upper + slack || value < *range.lower - slack) return true;
+  }
+  return false;
+}
+
+RecordAnswer::Bounds RecordAnswer::bounds(const SpaceMotion& motion, const Rational& near,
+                                          const std::vector<std::optional<Rational>>& forces) const {
+  const std::vector<Component> all = components(motion);
+  const std::vector<Rational> sizes = yardsticks(all);
+  const std::size_t accelerations = motion.accelerations.size();
+  Bounds result{{0, 0}, {0, 0}};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!has(i)) continue;
+    const Rational x = answer(i);
+    if (all[i].open) {
+      const std::optional<Rational> exact = forces.empty() ? std::nullopt : forces[i - accelerations];
+      result.open_force = result.open_force || !exact;
+      if (exact && compare({x, *exact, sizes[i], true}, result.most)) result.worst = i;
+      continue;
+    }
+    const Range& range = i < accelerations ? motion.accelerations[i] : *motion.forces[i - accelerations];
+    const bool as_zero = !range.is_point() && holds_zero(range);
+    compare({x, std::clamp(x, *range.lower, *range.upper), sizes[i], as_zero}, result.least);
+    for (const auto& end : {range.lower, range.upper}) {
+      if (compare({x, *end, sizes[i], as_zero}, result.most)) result.worst = i;
+    }
+  }
+  if (motion.others_within) result.far_from_others = is_far_from_others(motion, sizes, near);
+  return result;
+}
+
+std::vector<Rational> RecordAnswer::forces_beside(const SpaceMotion& motion) const {
+  std::vector<Rational> result;
+  for (std::size_t i = 0; i < motion.forces.size(); ++i) {
+    const std::size_t place = motion.accelerations.size() + i;
+    result.push_back(has(place) ? answer(place) : motion.forces[i] ? *motion.forces[i]->lower : Rational(0));
+  }
+  return result;
+}
+
 }  // namespace slipproof

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/problem/yardstick.hpp"
+#include "contact/space/solved_space.hpp"
 #include "mechanics/kernel/mode_solver.hpp"
 #include "records/record/point.hpp"
 
@@ -16,6 +17,15 @@ namespace slipproof {
 /// Forces that a file declares itself set no yardstick.
 class RecordAnswer {
  public:
+  /// Of a motion in space, wherever in its ranges it is. A component whose range holds 0 counts as one that is 0.
+  struct Bounds {
+    Distance least, most;
+    std::size_t worst = 0;    ///< the component with the largest relative error
+    bool open_force = false;  ///< the answer has forces that the motion leaves open, which are not compared
+    /// An acceleration of the answer differs from all motions within `others_within` by more than `near`.
+    bool far_from_others = false;
+  };
+
   /// Reads the answer of a record. All arguments must outlive it. `problem` is the problem at the record's point, with
   /// its equations.
   RecordAnswer(const RecordSetting& setting, const Record& record, const FrictionProblem& problem,
@@ -25,6 +35,11 @@ class RecordAnswer {
   /// The distance to the nearest solution of a mode. `worst` becomes the answer field with the largest relative error.
   /// Throws TooMuchWork.
   Distance distance(const ConsistentMode& mode, Effort& effort, std::size_t& worst) const;
+  /// `forces` are those with which the answer's are compared where the motion leaves them open: force_names().
+  Bounds bounds(const SpaceMotion& motion, const Rational& near,
+                const std::vector<std::optional<Rational>>& forces = {}) const;
+  /// The forces of the answer, and for those that it does not have the motion's own.
+  std::vector<Rational> forces_beside(const SpaceMotion& motion) const;
 
  private:
   struct Component {
@@ -32,6 +47,8 @@ class RecordAnswer {
     bool open = false;
   };
   std::vector<Component> components(const AffineSpace& space) const;
+  std::vector<Component> components(const SpaceMotion& motion) const;
+  bool is_far_from_others(const SpaceMotion& motion, const std::vector<Rational>& sizes, const Rational& near) const;
   std::vector<Rational> yardsticks(const std::vector<Component>& components) const;
   Yardsticks sizes(const std::vector<Component>& components) const;
   void take_lines(const std::vector<Component>& components, Yardsticks& sizes) const;

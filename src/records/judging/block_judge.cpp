@@ -88,7 +88,8 @@ void BlockJudge::use(const std::vector<bool>& present) {
   const RecordFields& fields = judge_.fields();
   present_ = present;
   sources_.clear();
-  able_ = fields.modes().has_all();  // no program tries the modes of others
+  // no program tries the modes of others
+  able_ = fields.modes().has_all() && judge_.certified().mechanism.dimension == 2;
   if (!able_) return;
   std::vector<bool> given;
   for (std::size_t i = 0; i <= fields.parameters(); ++i) sources_.push_back(source(i, present));

@@ -8,6 +8,7 @@
 #include "mechanics/points/sampling.hpp"
 #include "records/judging/answer.hpp"
 #include "records/judging/explanation.hpp"
+#include "records/judging/space_judge.hpp"
 
 namespace slipproof {
 
@@ -188,8 +189,8 @@ RecordJudgement undecided_record(Work needed, const JudgeOptions& options) {
 
 }  // namespace
 
-ExactJudge::ExactJudge(const RecordSetting& setting, const JudgeOptions& options)
-    : setting_(setting), options_(options) {}
+ExactJudge::ExactJudge(const RecordSetting& setting, const JudgeOptions& options, const SpaceMemory& in_space)
+    : setting_(setting), options_(options), in_space_(in_space) {}
 ExactJudge::~ExactJudge() = default;
 
 RecordJudgement ExactJudge::operator()(const Record& record) {
@@ -199,6 +200,7 @@ RecordJudgement ExactJudge::operator()(const Record& record) {
   const bool is_known = known_ && known_->point() == point;
   if (!is_known) {
     if (const std::string reason = outside_domain(setting_, point); !reason.empty()) return invalid_judgement(reason);
+    if (setting_.certified.mechanism.dimension == 3) return in_space_.judge(setting_, record, point, options_);
     const Work needed = work_of(setting_, point);
     if (needed > options_.effort) return undecided_record(needed, options_);
   }

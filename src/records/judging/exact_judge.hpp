@@ -9,13 +9,14 @@
 namespace slipproof {
 
 class KnownPoint;
+class SpaceMemory;
 
-/// Judges records exactly. Reuses the results at a point for the next record if it has the same point. Not for use by
-/// several threads.
+/// Judges records exactly, in space by all motions (space_judge.hpp). Reuses the results at a point for the next record
+/// if it has the same point. Not for use by several threads.
 class ExactJudge {
  public:
-  /// References in `setting` must outlive it.
-  ExactJudge(const RecordSetting& setting, const JudgeOptions& options);
+  /// References in `setting`, and `in_space`, must outlive it.
+  ExactJudge(const RecordSetting& setting, const JudgeOptions& options, const SpaceMemory& in_space);
   ~ExactJudge();
 
   /// A record outside the domain, or with a number that is not finite, is invalid. Relative errors are as defined in
@@ -25,6 +26,7 @@ class ExactJudge {
  private:
   RecordSetting setting_;
   JudgeOptions options_;
+  const SpaceMemory& in_space_;
   std::unique_ptr<KnownPoint> known_;  ///< point of the previous record
 };
 

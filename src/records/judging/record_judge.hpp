@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "records/judging/exact_judge.hpp"
+#include "records/judging/space_judge.hpp"
 
 namespace slipproof {
 
@@ -30,7 +31,7 @@ class RecordJudge {
   /// Throws std::invalid_argument if the record is incomplete.
   RecordJudgement operator()(const Record& record) const;
   /// Judges records by the kernel.
-  ExactJudge exact() const { return {setting(), options_}; }
+  ExactJudge exact() const { return {setting(), options_, in_space_}; }
 
  private:
   CertifiedMechanism certified_;
@@ -38,6 +39,7 @@ class RecordJudge {
   JudgeOptions options_;
   ProblemMaker maker_;
   MechanismKinds kinds_;
+  SpaceMemory in_space_;
   mutable std::mutex mutex_;
   mutable std::map<std::vector<bool>, std::unique_ptr<const MechanismBatch>> batches_;
 };

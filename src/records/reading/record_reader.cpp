@@ -10,7 +10,7 @@ namespace slipproof {
 
 std::optional<int> find_column(const RecordFields& fields, std::string_view name) {
   if (const auto field = fields.find(name)) return static_cast<int>(*field);
-  if (name == "mode") return mode_column;
+  if (name == "mode" && fields.has_modes()) return mode_column;
   return fields.word() && name == fields.word()->name ? std::optional(word_column) : std::nullopt;
 }
 

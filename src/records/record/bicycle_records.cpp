@@ -33,7 +33,7 @@ CertifiedMechanism bicycle_records(MechanismScene scene) {
 }
 
 CertifiedMechanism records_of_scene(const std::string& text, const std::string& file) {
-  MechanismScene scene = parse_scene(text, file);
+  MechanismScene scene = parse_scene(text, file, Dimensions::any);
   return is_mechanism_scene(text) ? CertifiedMechanism(std::move(scene)) : bicycle_records(std::move(scene));
 }
 

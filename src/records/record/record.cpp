@@ -49,6 +49,7 @@ RecordFields::RecordFields(const CertifiedMechanism& certified)
   accelerations_ = names_.size() - first_answer_;
   for (std::string& name : force_names(mechanism)) add(std::move(name));
   modes_ = std::make_shared<RecordModes>(element_kinds(mechanism));
+  has_modes_ = mechanism.dimension == 2;
   for (const std::string& name : certified.answers) required_.push_back(*find(name));
   for (std::size_t i = 0; i < mechanism.accelerations && certified.answers.empty(); ++i) {
     required_.push_back(first_answer_ + i);

@@ -89,6 +89,8 @@ class RecordFields {
 
   /// The modes that a record may claim, in the order of enumeration; `lift` of every contact is among them.
   RecordModes& modes() const { return *modes_; }
+  /// Whether a record may claim a mode: not in space, where a mode is none of these.
+  bool has_modes() const { return has_modes_; }
   const std::string& mode_name(std::size_t mode) const { return modes_->name(mode); }
   std::optional<std::uint16_t> find_mode(std::string_view name) const { return modes_->find(name); }
 
@@ -96,6 +98,7 @@ class RecordFields {
   std::vector<std::string> names_;
   std::map<std::string, std::size_t, std::less<>> places_;
   std::shared_ptr<RecordModes> modes_;
+  bool has_modes_ = true;
   std::vector<Form> forms_;
   std::optional<WordColumn> word_;
   std::vector<std::size_t> required_;

@@ -1,10 +1,12 @@
 #include <string_view>
 
 #include "base/algebra/real_roots.hpp"
+#include "base/input/diagnostic.hpp"
 #include "base/number/binary64.hpp"
 #include "base/number/format.hpp"
 #include "mechanics/kernel/motion.hpp"
 #include "report/expected/expected.hpp"
+#include "report/picture/space/space_words.hpp"
 #include "report/values/mode_json.hpp"
 
 namespace slipproof {
@@ -23,10 +25,33 @@ Json range_json(const Range& range) {
   if (range.is_point()) return number_json(*range.lower);
   return {{"lower", number_json(range.lower)}, {"upper", number_json(range.upper)}};
 }
-Json ranges_json(const std::vector<std::string>& names, const std::vector<Range>& ranges) {
+Json range_json(const std::optional<Range>& range) {
+  return range ? range_json(*range) : Json(nullptr);
+}
+template <class Ranges>
+Json ranges_json(const std::vector<std::string>& names, const Ranges& ranges) {
   Json result = Json::object();
   for (std::size_t i = 0; i < names.size(); ++i) result[names[i]] = range_json(ranges[i]);
   return result;
+}
+
+Json text_or_null(const std::string& text) {
+  return text.empty() ? Json(nullptr) : Json(text);
+}
+
+/// What a document says first: the scene.
+Json scene_json(const std::string& id, const MechanismScene& scene) {
+  const Mechanism& m = scene.mechanism;
+  Json document{{"schema", "slipproof/expected/1"}, {"scene", id}, {"name", scene.name}};
+  document["question"] = text_or_null(scene.question);
+  document["asked"] = text_or_null(scene.asked);
+  document["mechanism"] = m.name;
+  document["values"] = values_json(m, scene.values);
+  document["load"] = nullptr;
+  if (m.load) document["load"] = {{"symbol", m.load->symbol}, {"value", number_json(scene.load)}};
+  document["unknowns"] = Json::array();
+  for (std::size_t i = 0; i < m.accelerations; ++i) document["unknowns"].push_back(m.unknowns[i].symbol);
+  return document;
 }
 
 Json there_json(const MotionsThere& there) {
@@ -41,15 +66,7 @@ class ExpectedDocument {
       : answer_(answer), scene_(answer.solved.scene), m_(scene_.mechanism), found_(*answer.solved.at_load) {}
 
   Json whole() const {
-    Json document{{"schema", "slipproof/expected/1"}, {"scene", answer_.id}, {"name", scene_.name}};
-    document["question"] = text_or_null(scene_.question);
-    document["asked"] = text_or_null(scene_.asked);
-    document["mechanism"] = m_.name;
-    document["values"] = values_json(m_, scene_.values);
-    document["load"] = nullptr;
-    if (m_.load) document["load"] = {{"symbol", m_.load->symbol}, {"value", number_json(scene_.load)}};
-    document["unknowns"] = Json::array();
-    for (std::size_t i = 0; i < m_.accelerations; ++i) document["unknowns"].push_back(m_.unknowns[i].symbol);
+    Json document = scene_json(answer_.id, scene_);
     document["how_many"] = how_many();
     document["by_kinematics"] = answer_.solved.by_kinematics;
     put_motions(document);
@@ -58,8 +75,6 @@ class ExpectedDocument {
   }
 
  private:
-  static Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
-
   std::string_view how_many() const {
     if (!found_.continua.empty()) return "a continuum";
     if (found_.motions.empty()) return "none";
@@ -119,15 +134,64 @@ class ExpectedDocument {
   const MotionsAtLoad& found_;
 };
 
+Json motion_json(const Mechanism& m, const SpaceMotion& motion) {
+  Json slips = Json::object();
+  for (std::size_t i = 0; i < m.contacts.size(); ++i) {
+    if (motion.slips[i]) slips[m.contacts[i].name] = range_json(*motion.slips[i]);
+  }
+  return {{"modes", Json::array({mode_of(motion)})},
+          {"status", motion.strict ? "strict" : "boundary"},
+          {"slips", std::move(slips)},
+          {"accelerations", ranges_json(acceleration_names(m), motion.accelerations)},
+          {"forces", ranges_json(force_names(m), motion.forces)},
+          {"exists", motion.exists},
+          {"unique", motion.unique},
+          {"others_within", number_json(motion.others_within)},
+          {"open_directions", motion.open_directions}};
+}
+
+std::string_view how_many(const SolvedSpace& solved) {
+  if (!solved.complete()) return "undecided";
+  for (const SpaceMotion& motion : solved.motions) {
+    if (motion.is_continuum()) return "a continuum";
+  }
+  return solved.motions.empty() ? "none" : solved.motions.size() == 1 ? "one" : "several";
+}
+
+Json document_of(const ExpectedAnswer& answer) {
+  return ExpectedDocument(answer).whole();
+}
+Json document_of(const ExpectedInSpace& answer) {
+  const SolvedSpace& solved = answer.solved;
+  Json document = scene_json(answer.id, solved.scene);
+  document["dimension"] = 3;
+  document["how_many"] = how_many(solved);
+  document["complete"] = solved.complete();
+  document["motions"] = Json::array();
+  for (const SpaceMotion& motion : solved.motions) {
+    document["motions"].push_back(motion_json(solved.scene.mechanism, motion));
+  }
+  document["undecided"] = solved.undecided;
+  return document;
+}
+
 }  // namespace
 
 }  // namespace expected
 
-std::string expected_json(const std::vector<ExpectedAnswer>& answers) {
-  if (answers.size() == 1) return dump(expected::ExpectedDocument(answers.front()).whole());
+void refuse_threshold(const MechanismScene& scene, const std::string& id) {
+  if (!scene.threshold) return;
+  throw InputError({{scene.mechanism.file, 0, 0,
+                     id + ": [threshold]: found one of a scene in space, expected none: only in the plane can the "
+                          "motions be followed along a parameter"}});
+}
+
+std::string expected_json(const std::vector<Expected>& answers) {
   Json all = Json::array();
-  for (const ExpectedAnswer& answer : answers) all.push_back(expected::ExpectedDocument(answer).whole());
-  return dump(all);
+  for (const Expected& answer : answers) {
+    all.push_back(std::visit([](const auto& one) { return expected::document_of(one); }, answer));
+  }
+  return dump(answers.size() == 1 ? all.front() : all);
 }
 
 }  // namespace slipproof

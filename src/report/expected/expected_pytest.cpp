@@ -1,12 +1,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
+#include "base/input/diagnostic.hpp"
 #include "base/number/binary64.hpp"
 #include "base/output/json.hpp"
 #include "contact/exchange/export_bodies.hpp"
 #include "mechanics/kernel/motion.hpp"
 #include "report/expected/expected.hpp"
+#include "report/picture/space/space_words.hpp"
 
 namespace slipproof {
 
@@ -79,6 +82,35 @@ std::vector<ToldMotion> told_motions(const ExpectedAnswer& answer) {
   return result;
 }
 
+/// Throws InputError where an engine may be right without being near one of these.
+std::vector<ToldMotion> told_motions(const ExpectedInSpace& answer) {
+  const SolvedSpace& solved = answer.solved;
+  const auto refuse = [&](const std::string& found) {
+    throw InputError({{solved.scene.mechanism.file, 0, 0,
+                       answer.id + ": found " + found +
+                           ", expected for pytest that all are known, each alone; "
+                           "--format json has what is known"}});
+  };
+  if (!solved.complete()) refuse("that other motions may be left");
+  std::vector<ToldMotion> result;
+  std::map<std::string, std::size_t> same_mode;
+  for (const SpaceMotion& motion : solved.motions) {
+    if (!motion.exists) refuse("a motion that is not proved to exist");
+    if (!motion.unique && motion.others_within != Rational(0)) refuse("a motion beside which others may be");
+    const std::string mode = mode_of(motion);
+    const std::size_t count = ++same_mode[mode];
+    result.push_back({count == 1 ? mode : mode + " (" + std::to_string(count) + ")", motion.accelerations});
+  }
+  return result;
+}
+
+const MechanismScene& scene_of(const ExpectedAnswer& answer) {
+  return answer.solved.scene;
+}
+const MechanismScene& scene_of(const ExpectedInSpace& answer) {
+  return answer.solved.scene;
+}
+
 /// The nearest binary64 to a value; an end that is absent is infinite with this sign.
 double binary64(const std::optional<Rational>& value, int sign) {
   return value ? nearest_binary64(*value) + 0.0 : sign * std::numeric_limits<double>::infinity();
@@ -107,7 +139,9 @@ std::string python(const Json& value, std::size_t indent = 0) {
 }
 
 double size_of(const Json& bodies, const std::vector<ToldMotion>& motions, std::size_t unknowns) {
-  double size = std::hypot(bodies["gravity"][0].get<double>(), bodies["gravity"][1].get<double>());
+  double square = 0;
+  for (const Json& component : bodies["gravity"]) square += component.get<double>() * component.get<double>();
+  double size = std::sqrt(square);
   for (const ToldMotion& motion : motions) {
     for (std::size_t i = 0; i < unknowns; ++i) {
       for (const double end :
@@ -119,8 +153,9 @@ double size_of(const Json& bodies, const std::vector<ToldMotion>& motions, std::
   return size > 0 ? size : 1;
 }
 
-Json scene_json(const ExpectedAnswer& answer) {
-  const MechanismScene& scene = answer.solved.scene;
+template <class Answer>
+Json test_json(const Answer& answer) {
+  const MechanismScene& scene = scene_of(answer);
   const Mechanism& m = scene.mechanism;
   const auto told = told_motions(answer);
   Json motions = Json::object();
@@ -142,9 +177,11 @@ Json scene_json(const ExpectedAnswer& answer) {
 
 }  // namespace expected
 
-std::string expected_pytest(const std::vector<ExpectedAnswer>& answers) {
+std::string expected_pytest(const std::vector<Expected>& answers) {
   Json scenes = Json::object();
-  for (const ExpectedAnswer& answer : answers) scenes[answer.id] = expected::scene_json(answer);
+  for (const Expected& answer : answers) {
+    std::visit([&](const auto& one) { scenes[one.id] = expected::test_json(one); }, answer);
+  }
   return std::string(expected::before) + "INF = float(\"inf\")\n\nSCENES = " + expected::python(scenes) + "\n" +
          expected::after;
 }

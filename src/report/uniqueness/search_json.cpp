@@ -14,6 +14,7 @@ Json place_json(const Mechanism& mechanism, const SearchPlace& place) {
 Json cell_json(const Mechanism& mechanism, const SearchCell& cell) {
   Json modes = Json::array(), not_modelled = Json::array();
   for (const auto& motion : cell.found.modes) modes.push_back(names_json(motion));
+  for (const std::string& mode : cell.found.in_space) modes.push_back(Json::array({mode}));
   for (const std::size_t contact : cell.found.not_modelled) not_modelled.push_back(mechanism.contacts[contact].name);
   return {{"modes", std::move(modes)},
           {"motions", cell.found.motions()},
@@ -53,6 +54,7 @@ std::string search_json(const SearchReport& report) {
                                   MotionCount::continuum, MotionCount::hysteresis}) {
     document[std::string(name(count))] = result.count(count);
   }
+  if (report.mechanism.dimension == 3) document["undecided"] = result.count(MotionCount::undecided);
   document["cells"] = Json::array();
   for (const SearchCell& cell : result.cells) document["cells"].push_back(cell_json(report.mechanism, cell));
   return dump(document);

@@ -16,7 +16,8 @@ namespace {
 
 bool finds_something(const SearchReport& report) {
   const SearchResult& result = report.result;
-  return report.options.wanted ? !result.cells.empty() : result.one_everywhere < result.samples;
+  return report.options.wanted ? !result.cells.empty()
+                               : result.one_everywhere + result.count(MotionCount::undecided) < result.samples;
 }
 
 }  // namespace
@@ -24,7 +25,7 @@ bool finds_something(const SearchReport& report) {
 SearchReport searched(const Mechanism& mechanism, const SearchOptions& options, std::string within,
                       MotionSearch& search, Crew* crew) {
   SearchReport report{mechanism, options, std::move(within), search.result(crew)};
-  if (report.result.samples > 0 && !finds_something(report))
+  if (report.result.samples > 0 && !finds_something(report) && mechanism.dimension == 2)
     report.proof = unique_everywhere(mechanism, !options.hysteresis);
   return report;
 }
@@ -32,6 +33,7 @@ SearchReport searched(const Mechanism& mechanism, const SearchOptions& options, 
 SearchVerdict verdict(const SearchReport& report) {
   if (report.result.samples == 0) return SearchVerdict::undecided;
   if (finds_something(report)) return SearchVerdict::found;
+  if (report.result.count(MotionCount::undecided) > 0) return SearchVerdict::undecided;
   return report.proof ? SearchVerdict::unique : SearchVerdict::none_found;
 }
 
@@ -68,6 +70,7 @@ std::string motions_text(const FoundMotions& found) {
   std::vector<std::string> words;
   for (const auto& motion : found.modes) words.push_back(equal_modes(motion));
   for (const MechanismMode& mode : found.continua) words.push_back("a continuum in " + name(mode));
+  words.insert(words.end(), found.in_space.begin(), found.in_space.end());
   if (found.on_boundary > 0) {
     const char* more = words.empty() ? "" : " more";
     words.push_back(fmt::format("{}{} on a boundary of modes", found.on_boundary, more));
@@ -85,7 +88,9 @@ std::string place_text(const Mechanism& mechanism, const SearchPlace& place) {
 void write_head(Document& document, const SearchReport& report) {
   const Mechanism& mechanism = report.mechanism;
   const SearchResult& result = report.result;
-  document.title(fmt::format("{}: {:.0f} modes", mechanism.name, mode_count(element_kinds(mechanism))));
+  document.title(mechanism.dimension == 3
+                     ? mechanism.name + ": " + counted(mechanism.contacts.size(), "contact") + " in space"
+                     : fmt::format("{}: {:.0f} modes", mechanism.name, mode_count(element_kinds(mechanism))));
   if (!report.within.empty()) document.paragraph("within " + report.within);
   if (result.samples == 0) {
     document.paragraph("no point of the domain was found in " + counted(result.tried, "try") +
@@ -97,11 +102,16 @@ void write_head(Document& document, const SearchReport& report) {
   }
   if (report.proof) document.paragraph("proved: " + in_words(*report.proof));
   if (result.without_value > 0) {
-    document.paragraph("at " + counted(result.without_value, "more point") + " something divides by zero");
+    document.paragraph("at " + counted(result.without_value, "more point") + " something divides by zero" +
+                       (mechanism.dimension == 3 ? ", or cannot be asked in space" : ""));
   }
   if (result.samples > 0 && !report.options.wanted) {
     document.paragraph(
         fmt::format("one motion {}at {} of them", mechanism.load ? "at every load " : "", result.one_everywhere));
+  }
+  if (const auto count = result.count(MotionCount::undecided); count > 0) {
+    document.paragraph("undecided at " + counted(count, "sample") +
+                       ": one motion or none is known there, and that there is no other is not proved");
   }
   if (const auto count = result.count(MotionCount::hysteresis); count > 0) {
     document.paragraph("hysteresis at " + counted(count, "sample") +
@@ -139,6 +149,7 @@ std::string last_line(const SearchReport& report) {
                         result.count(MotionCount::none) + result.count(MotionCount::none_modelled),
                         result.count(MotionCount::several), result.count(MotionCount::continuum),
                         result.count(MotionCount::hysteresis));
+    if (report.mechanism.dimension == 3) line += fmt::format(" undecided {}", result.count(MotionCount::undecided));
   }
   return line + (verdict == SearchVerdict::unique ? " by theorem 1 of two-wheeler" : "");
 }

@@ -28,7 +28,7 @@ enum class SearchVerdict : std::uint8_t {
   unique,      ///< it is proved that there is one motion in the whole domain
   none_found,  ///< one motion at every load of every sample; if only one kind was searched for, no place of that kind
   found,       ///< another number of motions; if only one kind was searched for, a place of that kind
-  undecided    ///< no sample was found
+  undecided    ///< no sample was found; or, in space, nothing was, and a sample is undecided
 };
 SearchVerdict verdict(const SearchReport& report);
 /// `unique`, `none found`, `found`, `undecided`.

@@ -34,6 +34,26 @@ TEST_CASE("one scene is one document, several are an array, to a file or standar
   CHECK(both[1]["how_many"] == "none");
 }
 
+TEST_CASE("a scene in space is expected with ranges, and tested where each of its motions is known alone") {
+  const std::string space = shipped_cases + "space/";
+  const Json domino = Json::parse(run({"expect", space + "domino.toml"}).out);
+  CHECK(domino["schema"] == "slipproof/expected/1");
+  CHECK(domino["how_many"] == "one");
+  CHECK(domino["complete"] == true);
+  CHECK(domino["unknowns"] == Json({"ax", "ay", "az", "alphax", "alphay", "alphaz"}));
+  const Json& ax = domino["motions"][0]["accelerations"]["ax"];
+  CHECK(ax["lower"]["double"] <= ax["upper"]["double"]);
+  const Json slope = Json::parse(run({"expect", space + "box-on-slope-pulled-sideways.toml"}).out);
+  CHECK(slope["motions"][0]["accelerations"]["ax"]["exact"] == "981/6500");  // as worked out by hand
+  CHECK(Json::parse(run({"expect", space + "cube-pushed-obliquely.toml"}).out)["how_many"] == "a continuum");
+  const auto tests = run({"expect", space + "domino.toml", space + "stool-tipping.toml", "--format", "pytest"});
+  CHECK(tests.exit_code == 0);
+  CHECK(tests.out.find("\"turn\": [[1.0, 0.0, 0.0]") != std::string::npos);
+  const auto continuum = run({"expect", space + "cube-pushed-obliquely.toml", "--format", "pytest"});
+  CHECK(continuum.exit_code == 3);
+  CHECK(continuum.err.find("found a motion beside which others may be") != std::string::npos);
+}
+
 TEST_CASE("what no engine can be asked is refused, and nothing is written") {
   const TemporaryFolder folder;
   std::string out = folder.path() / "expected.json";

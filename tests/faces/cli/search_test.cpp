@@ -9,6 +9,15 @@
 using namespace slipproof::test;
 using Json = nlohmann::json;
 
+namespace {
+
+double fraction(const std::string& text) {
+  const std::size_t bar = text.find('/');
+  return std::stod(text) / (bar == std::string::npos ? 1 : std::stod(text.substr(bar + 1)));
+}
+
+}  // namespace
+
 TEST_CASE("search: the last line says what was found, or that nothing was, and unique only with a proof") {
   const TemporaryFolder folder;
   const std::string file =
@@ -80,4 +89,37 @@ TEST_CASE("search: text has 80 columns, --quiet its last line, JSON the same cou
   }
   CHECK(longest <= 100);
   CHECK(longest > 50);
+}
+
+TEST_CASE("search in space: places without a motion and with several, which one works out by hand; never unique") {
+  const std::string space = SLIPPROOF_SOURCE_DIR "/cases/space/mechanisms/";
+  const std::vector<std::string> rod{"search",   space + "leaning-rod.toml", "--samples", "40", "--json",
+                                     "--within", "g = 10 and mu = 1"};
+  const auto found = run(rod);
+  CHECK(found.exit_code == 1);
+  const Json document = Json::parse(found.out);
+  CHECK(document["verdict"] == "found");
+  CHECK(document["proof"].is_null());
+  CHECK(document["samples"] == 40);
+  CHECK(document["one"].get<int>() + document["none"].get<int>() + document["several"].get<int>() +
+            document["continuum"].get<int>() + document["undecided"].get<int>() ==
+        40);
+  REQUIRE(document["several"] > 0);
+  // W_NN = 7/2, W_NT = 5, W_TT = 11: where friction presses a slipping foot down, mu > 7/10, it may lift, as 5 F >= g,
+  // and also slip by 9 F - 4 (5 F - g) at mu = 1, with N = (5 F - g)/(3/2).
+  const Json* several = nullptr;
+  for (const Json& cell : document["cells"]) {
+    if (several == nullptr && cell["motions"] > 1) several = &cell;
+  }
+  REQUIRE(several != nullptr);
+  const auto number = [&](const char* name) { return fraction((*several)["simplest"][name].get<std::string>()); };
+  CHECK(number("mu") == 1);
+  CHECK(5 * number("F") >= 10);
+  CHECK(11 * number("F") <= 40);
+  const auto low = run({"search", space + "leaning-rod.toml", "--samples", "20", "--within", "mu < 7/10"});
+  CHECK(low.exit_code == 0);
+  CHECK(last_line(low.out) == "s NONE FOUND samples 20 one 20 none 0 several 0 continuum 0 hysteresis 0 undecided 0\n");
+  const auto one_load =
+      run({"search", space + "leaning-rod.toml", "--samples", "5", "--within", "F = 3 and mu = 1 and g = 10"});
+  CHECK(last_line(one_load.out) == "s FOUND samples 5 one 0 none 0 several 5 continuum 0 hysteresis 0 undecided 0\n");
 }

@@ -86,7 +86,8 @@ struct CountedBytes {
 
 /// Reads the values that are the same for all records: a scene of a bicycle or of a mechanism, or a mechanism alone.
 void read_setting(CertifyArguments& options) {
-  if (!options.mechanism.empty()) options.certify.mechanism.emplace(open_mechanism(options.mechanism));
+  if (!options.mechanism.empty())
+    options.certify.mechanism.emplace(open_mechanism(options.mechanism, {}, Dimensions::any));
   if (!options.scene.empty()) {
     options.certify.mechanism = records_of_scene(read_text_file(options.scene), options.scene);
   }

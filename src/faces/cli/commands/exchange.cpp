@@ -150,7 +150,7 @@ std::pair<std::string, Rational> setting(const std::string& text) {
 }
 
 MechanismScene scene_of(const ExportArguments& arguments) {
-  const MechanismScene scene = read_scene(arguments.scene, arguments.bodies ? Dimensions::plane : Dimensions::any);
+  const MechanismScene scene = read_scene(arguments.scene, Dimensions::any);
   std::vector<std::pair<std::string, Rational>> values;
   for (const std::string& one : arguments.set) values.push_back(setting(one));
   try {

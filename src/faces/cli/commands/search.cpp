@@ -5,11 +5,13 @@
 #include <memory>
 #include <string>
 
+#include "contact/space/search_space.hpp"
 #include "faces/cli/command.hpp"
 #include "faces/cli/crew_run.hpp"
 #include "faces/cli/interrupt.hpp"
 #include "faces/cli/progress.hpp"
 #include "faces/cli/warnings.hpp"
+#include "mechanics/mechanism/forms.hpp"
 #include "mechanics/reading/shipped.hpp"
 #include "mechanics/scene/narrow.hpp"
 #include "report/uniqueness/search_report.hpp"
@@ -42,8 +44,12 @@ Exit run_search(SearchArguments& arguments) {
   if (arguments.wanted == "none") options.wanted = MotionCount::none;
   if (arguments.wanted == "several") options.wanted = MotionCount::several;
   if (arguments.wanted == "continuum") options.wanted = MotionCount::continuum;
-  Mechanism mechanism = open_mechanism(arguments.mechanism);
+  Mechanism mechanism = open_mechanism(arguments.mechanism, {}, Dimensions::any);
   print_warnings(mechanism, arguments.common);
+  if (mechanism.dimension == 3) {
+    mechanism = without_load(mechanism);
+    options.in_space = found_in_space;
+  }
   if (arguments.narrows) mechanism = narrowed(mechanism, arguments.within, "--within");
   MotionSearch search(mechanism, options);
   const auto crew = crew_of(
@@ -80,8 +86,9 @@ void add_search(CLI::App& app, int& exit_code) {
   command.add_flag("--hysteresis", options->search.hysteresis,
                    "Also report several motions that become one if static coefficients equal the kinetic ones");
   command
-      .add_option("--samples", options->search.samples,
-                  "Points of the domain, each for every load; default: 30 to 2000, fewer for more modes")
+      .add_option(
+          "--samples", options->search.samples,
+          "Points of the domain, each for every load, in space for one; default: 30 to 2000, fewer for more modes")
       ->check(whole_number(1, 1'000'000'000));
   add_crew_options(command, options->crew);
   add_report_options(command, options->common);

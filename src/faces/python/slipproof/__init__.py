@@ -1,7 +1,7 @@
 """Exact, provable answers about dry friction.
 
 - :class:`Body`, :class:`Contact`, :class:`Joint`, ...: a mechanism from what is there, without a file
-- :func:`solve`, :class:`Mechanism`: every motion of a bicycle or of any planar mechanism with dry friction
+- :func:`solve`, :class:`Mechanism`: every motion of a bicycle or of any mechanism with dry friction, in the plane or in space
 - :func:`certify`, :func:`certify_bicycles`, :func:`certify_file`: verdicts on the answers of solvers
 - :func:`consistent_modes`: the consistent modes of many scenes
 - :func:`critical`: the friction from which on a scene has several motions
@@ -25,14 +25,15 @@ from ._phase import PhaseDiagram, phase_diagram
 from ._progress import ProgressBar
 from ._scene import Scene, solve
 from ._solution import Cell, Continuum, Motion, Range, Rejected, Solution
+from ._space import Bounds, SpaceMotion, SpaceSolution
 from ._uniqueness import Critical, critical
 from ._verdicts import Verdict, Verdicts
 
 __all__ = [
-    "MODES", "VERDICTS", "Affine", "BicycleVerdicts", "Body", "Cell", "Check", "CheckedCertificate", "ClaimVerdict", "ConsistentModes", "Contact", "Continuum", "Critical",
+    "MODES", "VERDICTS", "Affine", "BicycleVerdicts", "Body", "Bounds", "Cell", "Check", "CheckedCertificate", "ClaimVerdict", "ConsistentModes", "Contact", "Continuum", "Critical",
     "Diagnostic", "Force", "Friction",
     "InputError", "Interval", "Joint", "Mechanism", "Motion", "PhaseDiagram", "ProgressBar", "Proof", "Range", "Rejected", "Scene",
-    "Search", "Solution", "TooMuchWork", "Torque", "Verdict", "Verdicts", "Verification", "__version__", "certify",
+    "Search", "Solution", "SpaceMotion", "SpaceSolution", "TooMuchWork", "Torque", "Verdict", "Verdicts", "Verification", "__version__", "certify",
     "certify_bicycles", "certify_file",
     "check", "consistent_modes", "critical", "phase_diagram", "prove", "search", "shipped_mechanisms", "solve", "verify",
 ]

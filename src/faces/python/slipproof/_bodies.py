@@ -1,6 +1,6 @@
 """What a mechanism of bodies is made of: each class is a table of its file, each field a key.
 
-Vectors are pairs of numbers or expressions; what is None is left out. The language is described in
+Vectors are pairs of numbers or expressions, in space triples; what is None is left out. The language is described in
 cases/mechanisms/bodies/README.md.
 """
 
@@ -24,24 +24,30 @@ class _Part:
 
 @dataclass(frozen=True)
 class Body(_Part):
-    """A body, in kg and kg m^2, or, with ``acceleration`` in place of ``mass`` and ``inertia``, one that moves as prescribed."""
+    """A body, in kg and kg m^2, or, with ``acceleration`` in place of ``mass`` and ``inertia``, one that moves as prescribed.
+    In space ``inertia`` has three or six entries, ``spin`` and ``turning`` are vectors, and ``turn`` is a quaternion, or
+    ``{"axis": [...], "angle": "theta"}``."""
 
     name: str
     mass: Optional[Expression] = None
-    inertia: Optional[Expression] = None  #: about the centre of mass
+    inertia: Optional[Union[Expression, Vector]] = None  #: about the centre of mass
     at: Optional[Vector] = None  #: the centre of mass
     angle: Optional[Union[str, Vector]] = None  #: an entry of ``angles``, or a cosine and a sine
     velocity: Optional[Vector] = None
-    spin: Optional[Expression] = None
+    spin: Optional[Union[Expression, Vector]] = None
     acceleration: Optional[Vector] = None
-    turning: Optional[Expression] = None
+    turning: Optional[Union[Expression, Vector]] = None
     shape: Optional[Union[Mapping[str, Any], List[Mapping[str, Any]]]] = None
     names: Optional[Mapping[str, str]] = None
+    turn: Optional[Union[Vector, Mapping[str, Any]]] = None
+    by: Optional[str] = None  #: the joint that places it
+    displacement: Optional[Expression] = None  #: along that joint
 
 
 @dataclass(frozen=True)
 class Contact(_Part):
-    """A point or, with a ``radius``, a disc of the body ``of`` on a line or disc of the body ``on``; lengths in m."""
+    """A point or, with a ``radius``, a disc of the body ``of`` on a line or disc of the body ``on``; lengths in m. In space
+    a sphere in place of a disc, a plane in place of a line; ``tangent`` is the direction from which slips are counted."""
 
     name: str
     of: str
@@ -59,11 +65,13 @@ class Contact(_Part):
     state: Optional[str] = None
     slip_direction: Optional[Vector] = None
     names: Optional[Mapping[str, str]] = None
+    tangent: Optional[Vector] = None
 
 
 @dataclass(frozen=True)
 class Joint(_Part):
-    """``kind``: pin, slider, weld, rod, rope, spring, gear. Lengths are in m, the ``force`` of a spring in N."""
+    """``kind``: pin, slider, weld, rod, rope, spring, gear; in space ball, hinge, universal and cylindrical in place of pin.
+    Lengths are in m, the ``force`` of a spring in N."""
 
     name: str
     kind: str
@@ -78,6 +86,10 @@ class Joint(_Part):
     one_sided: Optional[bool] = None
     state: Optional[str] = None
     names: Optional[Mapping[str, str]] = None
+    to_axis: Optional[Vector] = None
+    friction: Optional[Union[Expression, Mapping[str, Expression]]] = None
+    radius: Optional[Expression] = None
+    ring: Optional[Expression] = None
 
 
 @dataclass(frozen=True)
@@ -104,8 +116,9 @@ class Force(_Part):
 
 @dataclass(frozen=True)
 class Torque(_Part):
-    """A couple ``is_``, in N m, on a body, counterclockwise."""
+    """A couple ``is_``, in N m, on a body, counterclockwise; in space a vector."""
 
     on: str
-    is_: Expression
+    is_: Union[Expression, Vector]
     back_on: Optional[str] = None
+    axes: Optional[str] = None

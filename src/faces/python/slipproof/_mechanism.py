@@ -1,4 +1,4 @@
-"""Mechanisms: any planar system with dry friction."""
+"""Mechanisms: any system of rigid bodies with dry friction, in the plane or in space."""
 
 from __future__ import annotations
 
@@ -10,12 +10,11 @@ from . import _core
 from ._arrays import one_of, whole
 from ._bodies import Body, Contact, Force, Friction, Joint, Torque
 from ._certify import _mechanism
-from ._document import Report
 from ._errors import InputError, wrong_type, wrong_value
 from ._html import table
 from ._numbers import Number
 from ._progress import Progress, reporter
-from ._result import Result
+from ._result import Report, Result
 from ._scene import Scene, as_toml
 from ._solution import Solution
 
@@ -24,7 +23,7 @@ _SCHEMA = "slipproof/mechanism/1"
 
 class Search(Report):
     """The result of a search. ``verdict``: ``found`` and ``none found`` are about the samples; ``unique`` is proved for
-    the whole domain; ``undecided`` if no point of the domain was found."""
+    the whole domain; ``undecided`` if no point of the domain was found, or one in space is undecided."""
 
     def __init__(self, document: str, text: str, verdict: str):
         super().__init__(document, text)
@@ -81,13 +80,14 @@ class Mechanism(Result):
            parameters: Optional[Mapping[str, Any]] = None, contacts: Sequence[Contact] = (),
            joints: Sequence[Joint] = (), friction: Sequence[Friction] = (), forces: Sequence[Force] = (),
            torques: Sequence[Torque] = (), load: Optional[Mapping[str, str]] = None,
-           **tables: Any) -> "Mechanism":
+           dimension: Optional[int] = None, **tables: Any) -> "Mechanism":
         """A mechanism of bodies, called ``name``. Raises InputError with all mistakes.
 
         ``bodies``, ``contacts``, ``joints``, ``friction``, ``forces`` and ``torques`` are its parts. ``gravity``: an
         acceleration (m/s^2), or "none". ``parameters``: by symbol a domain such as ``"mu >= 0"``, or a dict with domain,
-        unit and meaning. ``load``: a dict with the symbol of the force that is varied. ``tables`` are others of its file:
-        ``angles``, ``definitions``, ``assume``, ...
+        unit and meaning. ``load``: a dict with the symbol of the force that is varied. ``dimension``: 2, or 3 in space; by
+        default as many as ``gravity`` has components, or 2. ``tables`` are others of its file: ``angles``,
+        ``definitions``, ``assume``, ...
 
         >>> import slipproof
         >>> from slipproof import Body, Contact, Force
@@ -98,6 +98,9 @@ class Mechanism(Result):
         [('stick/stick',)]
         """
         document: Dict[str, Any] = {"schema": _SCHEMA, "name": name, "gravity": gravity}
+        in_space = isinstance(gravity, (list, tuple)) and len(gravity) == 3
+        if dimension is not None or in_space:
+            document["dimension"] = 3 if dimension is None else dimension
         if parameters:
             document["parameters"] = dict(parameters)
         if load is not None:
@@ -131,6 +134,11 @@ class Mechanism(Result):
     def name(self) -> str:
         """Its name in the file."""
         return self._about["name"]  # type: ignore[no-any-return]
+
+    @property
+    def dimension(self) -> int:
+        """2 in the plane, 3 in space."""
+        return self._about["dimension"]  # type: ignore[no-any-return]
 
     @property
     def parameters(self) -> Tuple[str, ...]:
@@ -184,7 +192,8 @@ class Mechanism(Result):
 
     def search(self, *, within: str = "", wanted: Optional[str] = None, samples: Optional[int] = None, seed: int = 1,
                hysteresis: bool = False, threads: int = 0, progress: Progress = None) -> Search:
-        """Searches samples of the domain, for every load, for points with no motion, several, or a continuum.
+        """Searches samples of the domain, for every load (in space, for one), for points with no motion, several, or a
+        continuum.
 
         ``within`` narrows the domain, ``"mu < 1"``; with ``wanted`` (none, several, continuum) the search ends at the
         first such place. ``samples``: points of the domain, by default 30 to 2000; ``seed`` of them. ``hysteresis``:

@@ -12,12 +12,11 @@ from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tup
 from . import _core
 from ._arrays import whole
 from ._certify import _file
-from ._document import Report
 from ._errors import InputError, wrong_type
 from ._html import table
 from ._numbers import Values
 from ._progress import Progress, reporter
-from ._result import Result
+from ._result import Report, Result
 from ._scene import as_claims
 
 _Path = Union[str, "os.PathLike[str]"]

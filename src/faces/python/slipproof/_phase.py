@@ -8,7 +8,7 @@ from typing import Any, Dict, List, Mapping, Optional, Tuple
 
 from . import _core
 from ._arrays import whole
-from ._document import Document
+from ._result import Document
 from ._errors import wrong_type, wrong_value
 from ._html import COLOURS
 from ._numbers import Number, fraction, text_of

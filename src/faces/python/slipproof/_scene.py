@@ -12,6 +12,7 @@ from ._errors import Diagnostic, InputError, wrong_type
 from ._result import Result
 from ._numbers import Number, text_of
 from ._solution import Solution
+from ._space import SpaceSolution
 
 _TABLE_OF = {"f": "road", "g": "road", "kind": "force", "F": "force", "P": "force", "name": ""}
 _FILE = "scene"
@@ -57,7 +58,7 @@ class _Toml:
     def _value(self, value: Any, path: str) -> str:
         if isinstance(value, bool):
             return "true" if value else "false"
-        if self._has_lines and isinstance(value, int):
+        if isinstance(value, int) and (self._has_lines or path in ("dimension", "mechanism.dimension")):
             return str(value)
         if isinstance(value, Mapping):
             inner = (f"{_quoted(self._name(k, path))} = {self._value(v, f'{path}.{k}')}" for k, v in value.items())
@@ -185,9 +186,15 @@ class Scene(Result):
         other: Dict[str, Any] = {} if self.is_mechanism else {"P": None}
         return self.replace(**other, **{symbol: load})
 
+    @property
+    def dimension(self) -> int:
+        """2 for a scene in the plane, 3 for one in space."""
+        return self._scene.dimension
+
     def solve(self) -> Solution:
-        """Every motion at its load; without a load, the motions at every load."""
-        solution = Solution(self)
+        """Every motion at its load; without a load, the motions at every load. In space, a SpaceSolution, for which the
+        load must have a value."""
+        solution = Solution(self) if self.dimension == 2 else SpaceSolution(self)
         solution._solution  # noqa: B018 - solved here, not at the first look
         return solution
 

@@ -192,7 +192,7 @@ class Solution(Result):
 
     @cached_property
     def _solution(self) -> "_core.Solution":
-        return self.scene._scene.solve()
+        return self.scene._scene.solve()  # type: ignore[no-any-return]
 
     def at(self, load: Number) -> "Solution":
         """The solution of the same scene at another ``load``, in the load's unit (F in N). Raises ValueError if the
@@ -286,6 +286,11 @@ class Solution(Result):
             raise ValueError(f"found {self.load_symbol} = {self.load} in the scene, expected none for cells; leave it out, "
                              f"or replace({self.load_symbol}=None), or ask for motions")
         return tuple(_cell(*cell) for cell in self._solution.cells())
+
+    @property
+    def only(self) -> bool:
+        """Whether it has one motion at the load, and no other."""
+        return len(self.motions) == 1 and not self.continua
 
     def phase_line(self) -> str:
         """The loads of each mode as SVG."""

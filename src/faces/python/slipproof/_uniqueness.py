@@ -6,7 +6,7 @@ from fractions import Fraction
 from typing import Any, Optional, Tuple, Union
 
 from . import _core
-from ._document import Report
+from ._result import Report
 from ._errors import wrong_type
 from ._numbers import fraction, value
 from ._scene import as_scene

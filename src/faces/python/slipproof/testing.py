@@ -26,6 +26,7 @@ from typing import Any, Iterator, List, Mapping, Optional, Tuple, Union
 from ._certify import certify
 from ._scene import Scene, solve
 from ._solution import Motion, Solution
+from ._space import Bounds, SpaceMotion, SpaceSolution
 from ._verdicts import Verdict, Verdicts
 
 __all__ = ["assert_certified", "assert_motion"]
@@ -88,19 +89,23 @@ def _kinds(solution: Solution, index: int) -> Tuple[List[str], List[str]]:
     return list(motion["accelerations"]), list(motion["forces"])
 
 
-def _error(motion: Motion[Fraction], kinds: Tuple[List[str], List[str]], answer: Mapping[str, Any]) -> Tuple[float, str]:
-    """The largest error of a component, over the largest number of its kind, and what it is."""
+def _error(motion: Motion[Any], kinds: Tuple[List[str], List[str]], answer: Mapping[str, Any]) -> Tuple[float, str]:
+    """The largest error of a component, over the largest number of its kind, and what it is. Of a number with bounds it is
+    the error from the farther one; forces that are open have none."""
     worst, told = 0.0, ""
     for names in kinds:
+        if isinstance(motion, SpaceMotion) and motion.open_directions and names is kinds[1]:
+            continue
         known = {name: motion.values[name] for name in names if name in motion.values}
-        size = max([abs(x) for x in known.values()] + [abs(Fraction(answer[n])) for n in names if n in answer],
+        ends = {name: x if isinstance(x, Bounds) else (x, x) for name, x in known.items()}
+        size = max([min(map(abs, x)) for x in ends.values()] + [abs(Fraction(answer[n])) for n in names if n in answer],
                    default=Fraction(0))
         for name in names:
             if name not in answer:
                 continue
             x = Fraction(answer[name])
             if name in known:
-                off, right = abs(x - known[name]), str(known[name])
+                off, right = max(abs(x - end) for end in ends[name]), str(known[name])
             else:
                 lower, upper = motion.force_ranges.get(name, (None, None))
                 off = max(Fraction(0), *(lower - x,) if lower is not None else (), *(x - upper,) if upper is not None else ())
@@ -116,8 +121,9 @@ def assert_motion(scene: Union[str, "os.PathLike[str]", Mapping[str, Any], Scene
     """Fails unless an answer is a motion of a scene at its load: accelerations, gaps, slips and forces by their names.
 
     ``scene`` is a file, a dict or a Solution; ``answer`` a dict, in SI units. Each error is divided by the largest number
-    of its kind, and may be ``tolerance``. ``only``: a motion that is one of several is not enough. Returns the motion.
-    Raises AssertionError with all motions, ValueError for names that no motion has, and what ``solve`` raises.
+    of its kind, and may be ``tolerance``; in space it has to be, wherever in its bounds the motion is, and forces that are
+    open are not compared. ``only``: a motion that is one of several is not enough. Returns the motion. Raises
+    AssertionError with all motions, ValueError for names that no motion has, and what ``solve`` raises.
     """
     __tracebackhide__ = True
     solution = scene if isinstance(scene, Solution) else solve(scene)
@@ -131,21 +137,27 @@ def assert_motion(scene: Union[str, "os.PathLike[str]", Mapping[str, Any], Scene
             raise AssertionError(f"the answer has {name} = {x}")
     best: Optional[Tuple[float, str, Motion[Fraction]]] = None
     for i, motion in enumerate(solution.motions):
+        if isinstance(motion, SpaceMotion) and not motion.exists:
+            continue
         error, told = _error(motion, _kinds(solution, i), answer)
         if best is None or error < best[0]:
             best = (error, told, motion)
-    if best and best[0] <= tolerance and (len(solution.motions) == 1 and not solution.continua or not only):
+    if best and best[0] <= tolerance and (not only or solution.only):
         return best[2]
     lines = [f"no motion of {solution.name} is within {tolerance:g} of the answer"]
     if best and best[0] <= tolerance:
         lines = [f"{solution.name} has {len(solution.motions)} motions, and the answer is one of them"]
+        if len(solution.motions) == 1:
+            lines = [f"the answer is a motion of {solution.name}, and others are not excluded"]
     elif best:
         lines.append(f"the nearest is off by {best[0]:.3g}, {best[1]}")
     for motion in solution.motions:
         numbers = ", ".join(f"{name} = {motion.values[name]}" for name in answer if name in motion.values)
         lines.append(f"{' = '.join(motion.modes or motion.boundary_modes)}: {numbers}")
     lines.extend(f"{c.mode}: infinitely many motions" for c in solution.continua)
-    if not solution.motions and not solution.continua:
+    if isinstance(solution, SpaceSolution) and not solution.complete:
+        lines.append("it may have others")
+    elif not solution.motions and not solution.continua:
         lines.append("it has none")
     raise AssertionError("\n  ".join(lines))
 

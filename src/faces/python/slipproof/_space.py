@@ -1,0 +1,96 @@
+"""The solution of a scene in space: all motions, as numbers or with the bounds that were proved for them."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from functools import cached_property
+from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Tuple, Union
+
+from ._numbers import Values, fraction, value
+from ._solution import Motion, Solution
+
+
+class Bounds(NamedTuple):
+    """The proved bounds of a number: ``lower`` <= number <= ``upper``."""
+
+    lower: Fraction
+    upper: Fraction
+
+    def __str__(self) -> str:
+        return f"[{float(self.lower)}, {float(self.upper)}]"
+
+
+SpaceNumber = Union[Fraction, Bounds]
+
+
+def _number(ends: Tuple[str, str]) -> SpaceNumber:
+    lower, upper = fraction(ends[0]), fraction(ends[1])
+    return lower if lower == upper else Bounds(lower, upper)
+
+
+def _numbers(texts: Mapping[str, Any]) -> Dict[str, Optional[SpaceNumber]]:
+    return {name: ends and _number(ends) for name, ends in texts.items()}
+
+
+class SpaceMotion(Motion[SpaceNumber]):
+    """One motion in space. A number is a Fraction where it is known exactly, otherwise :class:`Bounds`, a pair of
+    Fractions that enclose it.
+
+    ``slips``: by contact, the directions in which it slips, in degrees from T1 towards T2. ``accelerations``, in m/s^2 and
+    rad/s^2, and ``forces``, in N, by their names; a force is None if the motion leaves it open. ``open_directions``:
+    along how many directions forces are open; then those in ``forces`` are some of them. ``exists``: it is proved that
+    there is a motion in these bounds. ``unique``: and only one. ``others_within``: gaps and slips of others that count
+    as this one differ from its own by no more; None if it is unique, or one of a family that moves in different ways.
+    """
+
+    __slots__ = ("slips", "accelerations", "forces", "exists", "unique", "others_within", "open_directions", "_details")
+
+    def __init__(self, details: Mapping[str, Any]):
+        self._details = details
+        self.slips = _numbers(details["slips"])
+        self.accelerations = _numbers(details["accelerations"])
+        self.forces = _numbers(details["forces"])
+        self.exists: bool = details["exists"]
+        self.unique: bool = details["unique"]
+        self.others_within: Optional[Fraction] = value(details["others_within"])
+        self.open_directions: int = details["open_directions"]
+        everything = {**self.accelerations, **self.forces}
+        known = Values.of({name: number for name, number in everything.items() if number is not None})
+        open_forces = {name: (None, None) for name, number in self.forces.items() if number is None}
+        super().__init__(details["modes"], (), details["status"] == "strict", known, open_forces)
+
+    def _parts(self) -> Tuple[Any, ...]:
+        return (self._details,)
+
+
+class SpaceSolution(Solution):
+    """All motions of a scene in space, as :meth:`Scene.solve` returns them for a mechanism with ``dimension=3``.
+
+    >>> import slipproof
+    >>> solution = slipproof.solve("cases/space/stool-tipping.toml")
+    >>> solution.complete, solution.only, [motion.modes for motion in solution]
+    (True, True, [('lift/stick/stick',)])
+    >>> solution.motions[0].alphay
+    Fraction(-538, 275)
+    """
+
+    @cached_property
+    def motions(self) -> Tuple[SpaceMotion, ...]:  # type: ignore[override]
+        """Every motion that was found; if ``complete``, it is proved that there is no other."""
+        return tuple(SpaceMotion(motion) for motion in self._document["motions"])
+
+    @property
+    def complete(self) -> bool:
+        """Whether it is proved that there is no other motion."""
+        return self._document["complete"]  # type: ignore[no-any-return]
+
+    @property
+    def undecided(self) -> List[str]:
+        """Patterns in which there may be other motions; empty if ``complete``."""
+        return list(self._document["undecided"])
+
+    @property
+    def only(self) -> bool:
+        """Whether it is proved that there is one motion, and no other. Its forces may be open."""
+        motion = self.motions[0] if self.complete and len(self.motions) == 1 else None
+        return motion is not None and motion.exists and (motion.unique or motion.others_within == 0)
