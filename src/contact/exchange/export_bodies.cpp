@@ -159,6 +159,7 @@ class BodiesExporter {
       entry["at"] = pair(at, joint.place);
       entry["to"] = joint.to ? pair(joint.to) : pair(same_place, joint.place);
     }
+    if (joint.armature) refuse(joint.armature.place(), joint.name + ": found an armature, expected none in a plane");
     put(entry, "axis", joint.axis);
     put(entry, "length", joint.length);
     put(entry, "force", joint.tension);
