@@ -211,6 +211,7 @@ class BodiesExporter {
       entry["at"] = coordinates(at, joint.place);
       entry["to"] = joint.to ? coordinates(joint.to) : coordinates(same_place, joint.place);
     }
+    if (joint.armature) refuse(joint.armature.place(), joint.name + ": found an armature, expected none in a plane");
     put(entry, "axis", joint.axis);
     put(entry, "to_axis", joint.to_axis);
     put(entry, "length", joint.length);

@@ -62,7 +62,6 @@ class SpaceWriter {
     }
     body_names_.emplace_back("ground");
     for (std::size_t i = 1; i < scene_.bodies.size(); ++i) body_names_.push_back(names_(scene_.bodies[i].name));
-    for (std::size_t i = 1; i < scene_.bodies.size(); ++i) add_fixed_armatures(i);
     held_.resize(scene_.bodies.size());
     const std::string touching = contacts();
     std::string joints, bodies, pushes;
@@ -74,7 +73,7 @@ class SpaceWriter {
     for (std::size_t i = 1; i < scene_.bodies.size(); ++i) bodies += body(i);
     for (const Push& one : scene_.pushes) pushes += push(one);
     result_.import_notes = scene_.import_notes;
-    result_.text = head() + bodies + rotors_ + joints + touching + falling + pushes;
+    result_.text = head() + bodies + joints + touching + falling + pushes;
     return std::move(result_);
   }
 
@@ -154,69 +153,12 @@ class SpaceWriter {
     if (joint.kind != Joint::Kind::ball) {
       text += "axis = " + toml(unit_of(joint.axis)) + "\n";
     }
+    if (!joint.armature.is_zero()) text += "armature = " + toml(joint.armature) + "\n";
     if (!joint.friction.is_zero()) {
       scene_.import_notes.push_back(fmt::format("{}: its friction of up to {} {} is left out", joint.name,
                                                 exact_text(joint.friction),
                                                 joint.kind == Joint::Kind::slide ? "N" : "N m"));
     }
-    return text + armature(joint);
-  }
-
-  static bool turns_on_ground(const Joint& joint) {
-    return joint.first == 0 && joint.kind != Joint::Kind::ball && !joint.armature.is_zero();
-  }
-
-  /// What turns about a fixed axis has the armature as an inertia of its own; what slides along one, as a mass, whose
-  /// weight is taken back.
-  void add_fixed_armatures(std::size_t i) {
-    for (const Joint& joint : scene_.joints) {
-      if (joint.second != i || !turns_on_ground(joint)) continue;
-      Body& body = scene_.bodies[i];
-      const Rational& a = joint.armature;
-      if (joint.kind == Joint::Kind::hinge) {
-        body.inertia = body.inertia + Inertia{a, a, a, 0, 0, 0};
-        scene_.import_notes.push_back(joint.name + ": its armature " + exact_text(a) + " is inertia of " + body.name);
-      } else {
-        body.mass += a;
-        scene_.pushes.push_back({joint.name + "_armature", i, 0, -a * *scene_.gravity, body.at, {}});
-        scene_.import_notes.push_back(joint.name + ": its armature " + exact_text(a) + " is mass of " + body.name +
-                                      ", without weight");
-      }
-    }
-  }
-
-  /// A rotor on the first body that turns `ratio` times as fast as the second, with the inertia a/ratio^2.
-  std::string armature(const Joint& joint) {
-    if (joint.armature.is_zero() || turns_on_ground(joint)) return "";
-    if (joint.kind != Joint::Kind::hinge) {
-      scene_.import_notes.push_back(
-          joint.name + ": its armature " + exact_text(joint.armature) + " is left out: " +
-          (joint.kind == Joint::Kind::slide ? "it slides on a body that moves" : "it is a ball joint"));
-      return "";
-    }
-    const Rational ratio(1'000'000'000'000'000);
-    const Rational j = joint.armature / (ratio * ratio);
-    const Body& first = scene_.bodies[joint.first];
-    const Vector axis = unit_of(joint.axis);
-    const Vector relative = scene_.bodies[joint.second].spin - first.spin;
-    const std::string rotor = names_(joint.name + "_rotor");
-    Body turning;
-    turning.inertia = {j, j, j, 0, 0, 0};
-    turning.at = joint.at;
-    turning.velocity = first.velocity + cross(first.spin, joint.at - first.at);
-    turning.spin = first.spin + ratio * dot(relative, axis) * axis;
-    rotors_ += body_text(rotor, turning);
-    const std::string holder = toml_string(body_names_[joint.first]), axis_text = toml(axis);
-    std::string text = fmt::format("\n[[joint]]\nname = {}\nkind = \"hinge\"\nbetween = [{}, {}]\nat = {}\naxis = {}\n",
-                                   toml_string(names_(rotor + "_axle")), holder, toml_string(rotor),
-                                   toml(in_body(joint.first, joint.at)), axis_text);
-    text += fmt::format(
-        "\n[[joint]]\nname = {}\nkind = \"gear\"\nbetween = [{}, {}]\ncarrier = {}\nratio = {}\naxis = {}\n",
-        toml_string(names_(rotor + "_gear")), toml_string(body_names_[joint.second]), toml_string(rotor), holder,
-        toml(ratio), axis_text);
-    scene_.import_notes.push_back(fmt::format(
-        "{}: its armature {} is a rotor without mass that turns 1e15 times as fast as the joint, right to 1e-15",
-        joint.name, exact_text(joint.armature)));
     return text;
   }
 
@@ -287,7 +229,6 @@ class SpaceWriter {
   Mistakes& mistakes_;
   Identifiers names_;
   std::vector<std::string> body_names_;
-  std::string rotors_;
   std::vector<bool> held_;  ///< the bodies that something touches, or a joint has
   SpaceMechanism result_;
 };

@@ -19,8 +19,7 @@ struct SpaceMechanism {
   std::size_t bodies = 0, contacts = 0;
 };
 
-/// Bodies stand along the scene's axes, as they are now. Massless links stand between the joints of one body. An
-/// armature is a rotor without mass that turns 10^15 times as fast as its joint, which differs from it by 10^-15 of it.
+/// Bodies stand along the scene's axes, as they are now. Massless links stand between the joints of one body.
 /// Shapes that touch make contacts, each moved to where the surfaces meet. Throws InputError for shapes of different
 /// robots that overlap, or touch in a way that is not read.
 SpaceMechanism to_space(Scene scene, const SpaceOptions& options);

@@ -227,7 +227,7 @@ AllSolutions all_solutions_of(const SolutionTree& tree) {
     FoundSolution& solution = result.solutions.emplace_back(solution_of(found, m));
     for (std::size_t other = 0; other < hosts.size(); ++other) {
       if (other == m || hosts[other] != m) continue;
-      solution.others.push_back(solution_of(found, other).u);
+      solution.others.push_back(solution_of(found, other));
       // Motions at the ends of a continuum, where contacts touch without a force, leave nothing open by themselves.
       solution.open_directions =
           std::max({solution.open_directions, found.motions[other].open_directions, std::size_t{1}});

@@ -18,10 +18,10 @@ struct FoundSolution {
   /// Forces and velocities of the contacts, without free unknowns, by contact and component. Where they are known
   /// exactly, each range is a point. Of a family: one of its solutions, the nearest to the answer if one is given.
   std::vector<Range> r, u;
-  /// Velocities of all solutions that count as this one, if they are not all those of `u`; and velocities of others
-  /// among them, which differ for sure: then they are a continuum that moves in different ways.
+  /// Velocities of all solutions that count as this one, if they are not all those of `u`; and and others among
+  /// them, whose velocities differ for sure: then they are a continuum that moves in different ways.
   std::vector<Range> around;
-  std::vector<std::vector<Range>> others;
+  std::vector<FoundSolution> others;
   std::size_t open_directions = 0;  ///< of a family: along how many directions there are others
   bool strict = false;              ///< no condition of one of its modes holds with equality
   bool exists = true;               ///< it is proved that a solution is within r and u

@@ -34,7 +34,7 @@ void add_solutions(const AllSolutions& all, Json& to) {
     Json entry{{"mode", s.modes.front()}, {"parameters", s.open_directions}, {"nearest_z", ranges_json(s.r)}};
     if (all.dimension == 3) entry["w"] = ranges_json(s.u);  // one motion, by other forces, if there are no others
     if (!s.around.empty()) entry["all_w"] = ranges_json(s.around);
-    for (const auto& other : s.others) entry["others"].push_back(ranges_json(other));
+    for (const auto& other : s.others) entry["others"].push_back(ranges_json(other.u));
     to["continua"].push_back(std::move(entry));
   }
 }

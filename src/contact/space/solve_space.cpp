@@ -1,12 +1,13 @@
 #include "contact/space/solve_space.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <array>
+#include <numeric>
 
-#include "base/number/binary64.hpp"
 #include "contact/judge/all_in_space.hpp"
+#include "contact/space/from_contacts.hpp"
 #include "contact/space/space_problem.hpp"
+#include "mechanics/points/degrees.hpp"
 
 namespace slipproof {
 
@@ -16,37 +17,32 @@ Range point(const Rational& value) {
   return {value, value};
 }
 
-/// constant + the sum of weights[i] * ranges[i].
-Range weighted(const std::vector<Rational>& weights, const std::vector<Range>& ranges, const Rational& constant) {
-  Rational low = constant, high = constant;
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    if (weights[i].is_zero()) continue;
-    const bool up = weights[i].sign() > 0;
-    low += weights[i] * (up ? *ranges[i].lower : *ranges[i].upper);
-    high += weights[i] * (up ? *ranges[i].upper : *ranges[i].lower);
-  }
-  return {low, high};
-}
-
-/// The angles in degrees of all vectors in a box that is narrow, seen from 0; nothing if it holds 0, or might. An angle
-/// of binary64 is right to 1e-13 degrees.
+/// The angles in degrees of all vectors in a box, seen from 0; nothing if it holds 0. The box lies in half a turn, and
+/// a corner is first of all where no other is clockwise of it.
 std::optional<Range> angles(const Range& x, const Range& y) {
-  const auto number = [](const Rational& value) { return nearest_binary64(value); };
-  const double middle = std::atan2(number(Rational(*y.lower + *y.upper)), number(Rational(*x.lower + *x.upper)));
   const bool holds_zero = x.lower->sign() <= 0 && x.upper->sign() >= 0 && y.lower->sign() <= 0 && y.upper->sign() >= 0;
   if (holds_zero) return std::nullopt;
-  double low = middle, high = middle;
-  for (const auto& cx : {x.lower, x.upper}) {
-    for (const auto& cy : {y.lower, y.upper}) {
-      const double from_middle = std::remainder(std::atan2(number(*cy), number(*cx)) - middle, 2 * std::numbers::pi);
-      low = std::min(low, middle + from_middle);
-      high = std::max(high, middle + from_middle);
-    }
+  std::array<std::pair<Rational, Rational>, 4> corners;
+  std::size_t next = 0;
+  for (const auto& cx : {*x.lower, *x.upper}) {
+    for (const auto& cy : {*y.lower, *y.upper}) corners[next++] = {cx, cy};
   }
-  constexpr double step = 1e9, slack = 1e-11;
-  const auto degrees = [&](double angle, double margin) { return (angle * 180 / std::numbers::pi + margin) * step; };
-  const auto whole = [](double value) { return Rational(Integer(static_cast<long>(value)), Integer(1'000'000'000)); };
-  return Range{whole(std::floor(degrees(low, -slack))), whole(std::ceil(degrees(high, slack)))};
+  const auto is_clockwise_of = [](const auto& a, const auto& b) { return a.first * b.second > a.second * b.first; };
+  const auto &first = *std::ranges::min_element(corners, is_clockwise_of),
+             &last = *std::ranges::max_element(corners, is_clockwise_of);
+  const auto between = [&](unsigned decimals) {
+    Range range{degrees_of_direction(first.first, first.second, decimals).first,
+                degrees_of_direction(last.first, last.second, decimals).second};
+    const bool beyond_half_a_turn = *range.upper < *range.lower, below = (*y.lower + *y.upper).sign() < 0;
+    if (beyond_half_a_turn) (below ? * range.lower -= 360 : * range.upper += 360);
+    return range;
+  };
+  constexpr unsigned least = 12, most = 60;
+  unsigned decimals = least;  // a hundredth of the width
+  const Range narrow = between(most);
+  const Rational width = *narrow.upper - *narrow.lower;
+  for (Rational unit = Rational(1, 10'000'000'000); decimals < most && unit > width; unit /= 10) ++decimals;
+  return between(decimals);
 }
 
 /// Reads a motion of the contact problem as one of the mechanism.
@@ -69,11 +65,9 @@ class MotionReader {
       if (m_.contacts[i].bilateral) motion.modes[i] = "touch";
     }
     for (std::size_t k = 0; k < states.size(); ++k) add_state(motion, k, states[k], found);
-    for (std::size_t j = 0; j < reduced_.V.size(); ++j) {
-      motion.accelerations.push_back(weighted(reduced_.V[j], found.r, reduced_.v0[j]));
-    }
-    add_gaps_and_slips(motion, found);
+    add_accelerations(motion, found);
     add_forces(motion, found);
+    if (motion.is_continuum()) add_continuum(motion, found);
     return motion;
   }
 
@@ -104,35 +98,66 @@ class MotionReader {
     const auto is_zero = [&](std::size_t i) { return found.u[i].is_point() && found.u[i].lower->is_zero(); };
     const bool at_rest = !contact.sliding && is_zero(3 * k + 1) && is_zero(3 * k + 2);
     mode = state == "closed" ? (contact.sliding ? "slip" : "touch") : state == "slip" && at_rest ? "stick" : state;
-    if (mode != "slip") return;
-    std::optional<Range>& angle = motion.slips[contact.contact];
-    if (const auto& along = contact.toward ? contact.toward : contact.sliding) {
-      angle = angles(point((*along)[0]), point((*along)[1]));
-    } else {
-      angle = angles(found.u[3 * k + 1], found.u[3 * k + 2]);
+  }
+
+  void add_slips(SpaceMotion& motion, const std::vector<Range>& u) const {
+    for (std::size_t k = 0; k < p_.contacts.size(); ++k) {
+      const SpaceContact& contact = p_.contacts[k];
+      if (motion.modes[contact.contact] != "slip") continue;
+      const auto& known = contact.toward ? contact.toward : contact.sliding;
+      motion.slips[contact.contact] =
+          known ? angles(point((*known)[0]), point((*known)[1])) : angles(u[3 * k + 1], u[3 * k + 2]);
     }
   }
 
-  /// Those of closed contacts are u, more narrowly than what follows from all accelerations, and 0 where the mode says
-  /// so.
-  void add_gaps_and_slips(SpaceMotion& motion, const FoundSolution& found) const {
-    const std::size_t bodies = motion.accelerations.size();
+  /// Where the mode says that a row of u is 0, it is. What follows from rows that are known exactly is exact.
+  void add_accelerations(SpaceMotion& motion, const FoundSolution& found) const {
+    std::vector<Range> u = found.u;
+    std::vector<std::size_t> known;
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      const std::string& mode = motion.modes[p_.contacts[i / 3].contact];
+      if (i % 3 == 0 ? mode != "lift" : mode == "stick") u[i] = point(0);
+      if (u[i].is_point()) known.push_back(i);
+    }
+    const ExactContacts& contacts = reduced_.contacts;
+    const auto slips = from_contacts(contacts, known, u, contacts.W, contacts.q);
+    for (std::size_t i = 0; i < u.size(); ++i) u[i] = slips[i].value_or(u[i]);
+    const auto exact = from_contacts(contacts, known, u, reduced_.V, reduced_.v0);
+    for (std::size_t j = 0; j < exact.size(); ++j) {
+      motion.accelerations.push_back(exact[j] ? *exact[j] : weighted(reduced_.V[j], found.r, reduced_.v0[j]));
+    }
+    add_gaps_and_slips(motion.accelerations, u);
+    add_slips(motion, u);
+  }
+
+  /// Those of closed contacts are u, more narrowly than what follows from the accelerations of bodies, which are there.
+  void add_gaps_and_slips(std::vector<Range>& accelerations, const std::vector<Range>& u) const {
+    const std::size_t bodies = accelerations.size();
     std::size_t row = 0, closed = 0;
     for (std::size_t i = 0; i < m_.contacts.size(); ++i) {
       const bool in_problem = closed < p_.contacts.size() && p_.contacts[closed].contact == i;
       for (std::size_t t = 0; t < (m_.contacts[i].second ? 3U : 1U); ++t, ++row) {
         if (in_problem && (t == 0 || !p_.contacts[closed].toward)) {
-          const std::string& mode = motion.modes[i];
-          const bool zero = t == 0 ? mode != "lift" : mode == "stick";
-          motion.accelerations.push_back(zero ? point(0) : found.u[3 * closed + t]);
+          accelerations.push_back(u[3 * closed + t]);
           continue;
         }
         std::vector<Rational> weights(bodies);
         for (const auto& [j, weight] : p_.rows[row].terms) weights[j] = weight;
-        motion.accelerations.push_back(weighted(weights, motion.accelerations, p_.rows[row].constant));
+        accelerations.push_back(weighted(weights, accelerations, p_.rows[row].constant));
       }
       closed += in_problem ? 1 : 0;
     }
+  }
+
+  /// Forces are open, so that the accelerations of all of them follow from u alone.
+  void add_continuum(SpaceMotion& motion, const FoundSolution& found) const {
+    for (const FoundSolution& other : found.others) motion.others.push_back(read(other));
+    std::vector<std::size_t> rows(found.around.size());
+    std::iota(rows.begin(), rows.end(), std::size_t{0});
+    for (auto& range : from_contacts(reduced_.contacts, rows, found.around, reduced_.V, reduced_.v0)) {
+      motion.all_accelerations.push_back(range.value_or(Range{}));
+    }
+    add_gaps_and_slips(motion.all_accelerations, found.around);
   }
 
   void add_forces(SpaceMotion& motion, const FoundSolution& found) const {

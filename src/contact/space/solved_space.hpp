@@ -22,6 +22,10 @@ struct SpaceMotion {
   /// Others count as this one: there no gap or slip differs from its own by more. Nothing if it is unique, or if others
   /// of its family are known to move differently.
   std::optional<Rational> others_within;
+  /// Of a family that moves in different ways: others of it, with accelerations that differ for sure, and where the
+  /// accelerations of all of it are; a range without an end where that is not bounded.
+  std::vector<SpaceMotion> others;
+  std::vector<Range> all_accelerations;
   std::size_t open_directions = 0;  ///< of its forces: those above are some of them
   bool strict = false;              ///< no condition of its mode holds with equality
 

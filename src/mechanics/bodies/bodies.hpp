@@ -112,17 +112,26 @@ struct BodyJoint {
   Kind kind = Kind::pin;
   std::string name;
   std::size_t first = 0, second = 0;
-  PlacedVector at, to;       ///< in the axes of the first, of the second; `to`: the same place if left out
-  PlacedVector axis;         ///< of a slider, hinge, ...: in the axes of the first
-  PlacedVector to_axis;      ///< second axis of a universal joint or gear, in the axes of the second
-  PlacedExpression length;   ///< length of a rod, rope or spring
-  PlacedExpression tension;  ///< present tension of a spring
-  PlacedExpression ratio;    ///< gear: angular velocity of the second over that of the first, relative to the carrier
+  PlacedVector at, to;        ///< in the axes of the first, of the second; `to`: the same place if left out
+  PlacedVector axis;          ///< of a slider, hinge, ...: in the axes of the first
+  PlacedVector to_axis;       ///< second axis of a universal joint or gear, in the axes of the second
+  PlacedExpression length;    ///< length of a rod, rope or spring
+  PlacedExpression tension;   ///< present tension of a spring
+  PlacedExpression armature;  ///< inertia against the joint's rate alone, a mass against its speed; null: 0
+  PlacedExpression ratio;     ///< gear: angular velocity of the second over that of the first, relative to the carrier
   std::size_t carrier = ground;
-  std::vector<std::size_t> links;                               ///< among the mechanism's
-  std::optional<std::size_t> contact;                           ///< contact of a rope or a freewheel
-  std::vector<std::size_t> guides;                              ///< with friction: contacts of the scene in its place
-  PlacedExpression radius, ring;                                ///< of a pin with friction, and of the ring around it
+  std::vector<std::size_t> links;      ///< among the mechanism's
+  std::optional<std::size_t> contact;  ///< contact of a rope or a freewheel
+  /// With friction: a contact of the scene in its place, half its length ahead of `to` or behind, and in space half its
+  /// width across.
+  struct Guide {
+    std::size_t contact = 0;
+    int ahead = 0, across = 0;
+  };
+  std::vector<Guide> guides;
+  PlacedExpression radius, ring;  ///< of a pin or hinge with friction, and of the ring around it
+  PlacedVector normal;            ///< in space, of a slider with friction: of its rail, in the axes of the first
+  PlacedExpression width;         ///< and of its carriage
   std::map<std::string, std::string, std::less<>> force_names;  ///< names in the file, by what they are along
   bool state_given = false, well_named = false;
   Place place;
@@ -248,8 +257,11 @@ void visit_expressions(Scene& scene, Visit&& visit) {
       visit(joint.length, "length", false);
       visit(joint.tension, "force", true);
       visit(joint.ratio, "ratio", false);
+      visit(joint.armature, "armature", false);
       visit(joint.radius, "radius", false);
       visit(joint.ring, "ring", false);
+      all(joint.normal, "normal", false);
+      visit(joint.width, "width", false);
     }
   }
   for (auto& rate : scene.rates) {

@@ -17,7 +17,8 @@ Derivation::Derivation(const Bodies& scene, Mechanism& result, Mistakes& list)
       mechanism(result),
       mistakes(list),
       frames(bodies_in_motion::frames(scene)),
-      loads(scene.bodies.size()) {}
+      loads(scene.bodies.size()),
+      carried(scene.bodies.size()) {}
 
 PlacedExpression Derivation::derived(const Expression& expression, Place place) {
   return {expression, PlacedText("", place)};
@@ -63,13 +64,9 @@ Expression Derivation::distance(const SceneVector& between, const std::string& k
   return *root;
 }
 
-void Derivation::push(std::size_t body, const SceneVector& arm, const SceneVector& force) {
-  loads[body].force = loads[body].force + force;
-  loads[body].moment = loads[body].moment + moment(arm, force);
-}
-
-void Derivation::turn(std::size_t body, const SceneVector& couple) {
-  loads[body].moment = loads[body].moment + couple;
+void Load::push(const SceneVector& arm, const SceneVector& by) {
+  force = force + by;
+  moment = moment + bodies_in_motion::moment(arm, by);
 }
 
 /// Where a coordinate is 0, an axis is one of them. Otherwise x and y, turned as z is turned into the direction n:
@@ -99,14 +96,14 @@ void apply_forces(Derivation& d) {
     const Frame& frame = d.frames[force.on];
     const SceneVector arm = frame.in_scene(unplaced(force.at));
     const SceneVector is = force.follows ? frame.in_scene(unplaced(force.is)) : unplaced(force.is);
-    d.push(force.on, arm, is);
-    if (force.back_on) d.push(*force.back_on, frame.at + arm - d.frames[*force.back_on].at, -is);
+    d.loads[force.on].push(arm, is);
+    if (force.back_on) d.loads[*force.back_on].push(frame.at + arm - d.frames[*force.back_on].at, -is);
   }
   for (const BodyTorque& torque : d.bodies.torques) {
     const SceneVector given = unplaced(torque.is);
     const SceneVector is = torque.follows ? d.frames[torque.on].in_scene(given) : given;
-    d.turn(torque.on, is);
-    if (torque.back_on) d.turn(*torque.back_on, -is);
+    d.loads[torque.on].turn(is);
+    if (torque.back_on) d.loads[*torque.back_on].turn(-is);
   }
 }
 
@@ -146,14 +143,14 @@ void write_equations(Derivation& d) {
     if (body.is_prescribed()) continue;
     const Frame& frame = d.frames[i];
     const SceneVector push = unplaced(body.mass) * gravity + d.loads[i].force;
-    const SceneVector inertial = unplaced(body.mass) * frame.acceleration;
+    const SceneVector inertial = unplaced(body.mass) * frame.acceleration + d.carried[i].force;
     for (std::size_t k = 0; k < 3; ++k) add_equation(d, body, k, inertial[k], push[k], body.mass.place());
     if (!body.turns_freely()) continue;
     const auto inertia = inertia_in_scene(body, frame);
     const auto along = [&](const SceneVector& turning) {
       return SceneVector{dot(inertia[0], turning), dot(inertia[1], turning), dot(inertia[2], turning)};
     };
-    const SceneVector turning = along(frame.turning),
+    const SceneVector turning = along(frame.turning) + d.carried[i].moment,
                       couple = d.loads[i].moment - moment(frame.spin, along(frame.spin));
     for (std::size_t k = 0; k < 3; ++k) add_equation(d, body, 3 + k, turning[k], couple[k], body.inertia.place());
   }
@@ -258,6 +255,9 @@ BodyGeometry derive_mechanism(const Bodies& bodies, Mechanism& mechanism, Mistak
   for (const Body& body : bodies.bodies) check_body(derivation, body);
   for (const BodyContact& contact : bodies.contacts) derive_contact(derivation, contact);
   for (const BodyJoint& joint : bodies.joints) derive_joint(derivation, joint);
+  for (const auto* joints : {&bodies.joints, &bodies.guides}) {
+    for (const BodyJoint& joint : *joints) derive_armature(derivation, joint);
+  }
   for (const BodyFriction& friction : bodies.friction) derive_friction(derivation, friction);
   apply_forces(derivation);
   write_equations(derivation);

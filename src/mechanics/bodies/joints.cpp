@@ -1,4 +1,10 @@
-// Joints: what stays 0, in the order in which the reader made links for it, and what springs do.
+// Joints: what stays 0, in the order in which the reader made links for it, what springs do, and rotors that joints
+// drive.
+//
+// A rotor with the armature a has the kinetic energy a q'^2/2 for the rate q' of its joint. By virtual work the joint
+// bears a q'' on its second body and -a q'' on its first: about the axis of a hinge, along that of a slider. A ball's
+// rotor turns alike about all axes, with the vector of the relative spin for q'. About a hinge's axis s, q'' is
+// s.(alpha - alpha'): the relative spin is along s, so that the turning of s adds nothing.
 #include <array>
 
 #include "mechanics/bodies/parts.hpp"
@@ -232,8 +238,8 @@ class JointDerivation {
   void spring() {
     const Span spring = span();
     const SceneVector pull = unplaced(joint_.tension) * spring.along;
-    d_.push(joint_.first, spring.first_arm, -pull);
-    d_.push(joint_.second, spring.second_arm, pull);
+    d_.loads[joint_.first].push(spring.first_arm, -pull);
+    d_.loads[joint_.second].push(spring.second_arm, pull);
   }
 
   /// About axes of the carrier; in the plane about the one out of it.
@@ -271,10 +277,35 @@ class JointDerivation {
   std::size_t next_ = 0;
 };
 
+/// What bears a slider's rotor: the place of the second end, and how the first body sees it move.
+void derive_sliding_armature(Derivation& d, const BodyJoint& joint, const SceneVector& axis) {
+  const Frame &first = d.frames[joint.first], &second = d.frames[joint.second];
+  const SceneVector at = first.at + first.in_scene(unplaced(joint.at));
+  const MovingPoint end(second, joint.to ? unplaced(joint.to) : second.in_body(at - second.at));
+  const SceneVector force = times(unplaced(joint.armature), dot(axis, RelativePoint(end, first).acceleration)) * axis;
+  d.carried[joint.second].push(end.place - second.at, force);
+  d.carried[joint.first].push(end.place - first.at, -force);
+}
+
 }  // namespace
 
 void derive_joint(Derivation& derivation, const BodyJoint& joint) {
   JointDerivation(derivation, joint).derive();
+}
+
+void derive_armature(Derivation& d, const BodyJoint& joint) {
+  if (!joint.armature) return;
+  const Frame &first = d.frames[joint.first], &second = d.frames[joint.second];
+  const Expression armature = unplaced(joint.armature);
+  d.must_be(GeometryFact::Kind::not_negative, armature, joint.name + "-armature",
+            "joint " + joint.name + ": found the armature X, expected one of 0 or more", joint.armature.place());
+  const SceneVector along = joint.axis ? first.in_scene(unplaced(joint.axis)) : axis(2);
+  if (joint.kind == BodyJoint::Kind::slider) return derive_sliding_armature(d, joint, along);
+  const SceneVector turning = second.turning - first.turning;
+  const SceneVector couple = joint.kind == BodyJoint::Kind::ball ? armature * (turning - cross(first.spin, second.spin))
+                                                                 : times(armature, dot(along, turning)) * along;
+  d.carried[joint.second].turn(couple);
+  d.carried[joint.first].turn(-couple);
 }
 
 }  // namespace slipproof::bodies_in_motion

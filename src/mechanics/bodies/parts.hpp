@@ -13,6 +13,10 @@ namespace slipproof::bodies_in_motion {
 /// A load on a body: a force or a couple that no contact or joint exerts.
 struct Load {
   SceneVector force, moment;  ///< about its centre of mass
+
+  /// Adds a force at an arm from the centre of mass; a couple.
+  void push(const SceneVector& arm, const SceneVector& by);
+  void turn(const SceneVector& couple) { moment = moment + couple; }
 };
 
 struct Derivation {
@@ -23,6 +27,7 @@ struct Derivation {
   Mistakes& mistakes;
   std::vector<Frame> frames;
   std::vector<Load> loads;
+  std::vector<Load> carried;  ///< what a body gives to armatures, as its own inertia takes it
   BodyGeometry geometry;
 
   bool in_space() const { return bodies.dimension == 3; }
@@ -37,9 +42,6 @@ struct Derivation {
   /// The length of the vector between what an element, called by its kind and name, keeps apart; null, and a report,
   /// where it is not rational.
   Expression distance(const SceneVector& between, const std::string& kind, const std::string& name, Place place);
-  /// A force at an arm from the centre of mass; a couple.
-  void push(std::size_t body, const SceneVector& arm, const SceneVector& force);
-  void turn(std::size_t body, const SceneVector& couple);
   /// Two directions of length 1, across a direction of length 1 and each other: first x second is the direction. In the
   /// plane the first is the direction turned clockwise. In space their entries are rational; nothing, where no such
   /// ones are known for all parameters.
@@ -51,6 +53,8 @@ struct Derivation {
 
 void derive_contact(Derivation& derivation, const BodyContact& contact);
 void derive_joint(Derivation& derivation, const BodyJoint& joint);
+/// Of the rotor that a joint drives.
+void derive_armature(Derivation& derivation, const BodyJoint& joint);
 void derive_friction(Derivation& derivation, const BodyFriction& friction);
 void draw_shapes(Derivation& derivation);
 

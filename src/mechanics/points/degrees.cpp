@@ -66,7 +66,48 @@ std::optional<MechanismValues::Circle> quarter_turn(const Rational& degrees) {
   return std::nullopt;
 }
 
+Rational power_of_ten(unsigned exponent) {
+  Rational result = 1;
+  for (unsigned i = 0; i < exponent; ++i) result *= 10;
+  return result;
+}
+
+/// 180/pi * arctan(tangent) for a tangent above 0, rounded to one side. pi rounds to the other, as it divides.
+Rational rounded_degrees(const Rational& tangent, const Rational& scale, mpfr_rnd_t side) {
+  Real angle, pi;
+  mpfr_set_q(angle.value, GmpRational(tangent).get(), side);
+  mpfr_atan(angle.value, angle.value, side);
+  mpfr_const_pi(pi.value, side == MPFR_RNDD ? MPFR_RNDU : MPFR_RNDD);
+  mpfr_mul_ui(angle.value, angle.value, 180, side);
+  mpfr_div(angle.value, angle.value, pi.value, side);
+  mpfr_mul_q(angle.value, angle.value, GmpRational(scale).get(), side);
+  mpz_t whole;
+  mpz_init(whole);
+  mpfr_get_z(whole, angle.value, side);
+  const Rational result = Rational(Integer(whole)) / scale;
+  mpz_clear(whole);
+  return result;
+}
+
 }  // namespace
+
+std::pair<Rational, Rational> degrees_of_direction(const Rational& x, const Rational& y, unsigned decimals) {
+  const Rational across = abs(x), up = abs(y);
+  Rational low, high;  // in the first quarter
+  if (up.is_zero() || across.is_zero() || up == across) {
+    low = high = up.is_zero() ? 0 : across.is_zero() ? 90 : 45;
+  } else {
+    const Rational scale = power_of_ten(decimals), tangent = up / across;
+    low = rounded_degrees(tangent, scale, MPFR_RNDD);
+    high = rounded_degrees(tangent, scale, MPFR_RNDU);
+  }
+  if (x.sign() < 0) {
+    const Rational kept = low;
+    low = Rational(180) - high, high = Rational(180) - kept;
+  }
+  if (y.sign() >= 0) return {low, high};
+  return {-high, -low};
+}
 
 MechanismValues::Circle point_of_tan_half(const Rational& tan_half) {
   const Rational square = tan_half * tan_half;

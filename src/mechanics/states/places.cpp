@@ -21,7 +21,7 @@ class Places {
   void place_all() {
     for (std::size_t i = 0; i < bodies_.bodies.size(); ++i) place(i);
     for (const BodyJoint& joint : bodies_.guides) {
-      if (joint.kind == Kind::slider) place_guides(joint);
+      if (joint.kind == Kind::slider || joint.kind == Kind::hinge) place_guides(joint);
     }
   }
 
@@ -113,19 +113,28 @@ class Places {
     body.at = derived(there - Turn(body).in_scene(second ? on_second : on_first), body.by->joint.at(0));
   }
 
-  /// Guides of a slider: two points of the second body, half the length before and behind `to`, or that point alone
-  /// where nothing turns.
+  /// Points of the second body, half the length ahead of `to` and behind, in space half the width to both sides; of a
+  /// hinge also the centres of its rings.
   void place_guides(const BodyJoint& joint) {
     const Frame first(bodies_.bodies[joint.first]), second(bodies_.bodies[joint.second]);
-    const SceneVector along = simplified(second.in_body(first.in_scene(unplaced(joint.axis))));
-    const SceneVector middle =
-        joint.to ? unplaced(joint.to)
-                 : simplified(second.in_body(first.at + first.in_scene(unplaced(joint.at)) - second.at));
-    const Expression half = folded(quotient_of(unplaced(joint.length), make_number(2)));
-    for (std::size_t i = 0; i < joint.guides.size(); ++i) {
-      const Expression ahead = joint.guides.size() == 1 ? zero_literal() : i == 0 ? half : negative_of(half);
-      bodies_.contacts[joint.guides[i]].point = derived(middle + ahead * along, joint.place);
+    const auto in_second = [&](const SceneVector& own) { return simplified(second.in_body(first.in_scene(own))); };
+    const SceneVector axis = unplaced(joint.axis), middle = second_point(joint, first, second);
+    const auto half = [](const PlacedExpression& size) { return folded(quotient_of(unplaced(size), make_number(2))); };
+    const auto times = [](int side, const Expression& size) {
+      return side == 0 ? zero_literal() : side > 0 ? size : negative_of(size);
+    };
+    for (const BodyJoint::Guide& guide : joint.guides) {
+      BodyContact& contact = bodies_.contacts[guide.contact];
+      const Expression ahead = times(guide.ahead, half(joint.length)), across = times(guide.across, half(joint.width));
+      SceneVector point = middle + ahead * in_second(axis);
+      if (guide.across != 0) point = point + across * in_second(moment(unplaced(joint.normal), axis));
+      contact.point = derived(point, joint.place);
+      if (contact.on_radius) contact.on_point = derived(unplaced(joint.at) + ahead * axis, joint.place);
     }
+  }
+  SceneVector second_point(const BodyJoint& joint, const Frame& first, const Frame& second) const {
+    if (joint.to) return unplaced(joint.to);
+    return simplified(second.in_body(first.at + first.in_scene(unplaced(joint.at)) - second.at));
   }
 
   SceneVector simplified(const SceneVector& vector) const {

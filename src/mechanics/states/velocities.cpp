@@ -235,14 +235,21 @@ class Velocities {
     return unknown.spins ? body.spin : body.velocity;
   }
 
+  /// Those in place of joints stay closed.
   void insert_contacts(Derivation& d) {
     using Start = ElementKind::Start;
-    for (const BodyContact& contact : bodies_.contacts) {
+    std::vector<bool> closed;
+    for (const BodyContact& contact : bodies_.contacts) closed.push_back(contact.state_given);
+    for (const BodyJoint& joint : bodies_.guides) {
+      for (const BodyJoint::Guide& guide : joint.guides) closed[guide.contact] = true;
+    }
+    for (std::size_t i = 0; i < closed.size(); ++i) {
+      const BodyContact& contact = bodies_.contacts[i];
       const Start start = mechanism_.contacts[contact.contact].start;
-      if (!contact.state_given || start == Start::open) continue;
+      if (!closed[i] || start == Start::open) continue;
       const ElementVelocity velocity = velocity_of(d, contact);
       insert_unseen(velocity.opening);
-      if (start != Start::rest) continue;
+      if (!contact.state_given || start != Start::rest) continue;
       insert_unseen(velocity.sliding);
       insert_unseen(velocity.second);
     }

@@ -5,6 +5,7 @@
 #include "base/input/diagnostic.hpp"
 #include "base/output/json.hpp"
 #include "base/output/percent.hpp"
+#include "report/explorer/inside_script.hpp"
 #include "report/explorer/portable_scene.hpp"
 
 namespace slipproof {
@@ -18,26 +19,13 @@ Json portable_json(const MechanismScene& scene) {
   return {{"scene", given.scene}, {"mechanism", given.mechanism}, {"along", given.along}, {"file", given.file}};
 }
 
-/// JSON that cannot end the element that it stands in.
-std::string inside_script(const Json& json) {
-  std::string text;
-  for (const char c : json_text(json)) {
-    if (c == '<') {
-      text += "\\u003c";
-    } else {
-      text += c;
-    }
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string explorer_page(const std::string& built, const std::string& file, const MechanismScene& scene) {
   const std::size_t at = built.find(given_element);
   if (at == std::string::npos) throw InputError({{file, 0, 0, "found another file, expected the explorer's page"}});
   std::string page = built;
-  page.replace(at + given_element.find("null"), 4, inside_script(portable_json(scene)));
+  page.replace(at + given_element.find("null"), 4, inside_script(json_text(portable_json(scene))));
   return page;
 }
 

@@ -11,6 +11,10 @@
 
 namespace slipproof {
 
+std::string_view dashes_of(ArrowLine line) {
+  return line == ArrowLine::dashed ? "4 3" : line == ArrowLine::dotted ? "1.5 2.5" : "";
+}
+
 void add_arrow(const Element& svg, Point from, double dx, double dy, std::string_view css_class, ArrowLine line) {
   const double length = std::hypot(dx, dy);
   if (length < 1) return;
@@ -19,8 +23,7 @@ void add_arrow(const Element& svg, Point from, double dx, double dy, std::string
   const double w = head * 0.45;
   const Element group = svg.add("g", css_class);
   const Element shaft = group.add("line").set("x1", from[0]).set("y1", from[1]).set("x2", bx).set("y2", by);
-  if (line == ArrowLine::dashed) shaft.set("stroke-dasharray", "4 3");
-  if (line == ArrowLine::dotted) shaft.set("stroke-dasharray", "1.5 2.5");
+  if (line != ArrowLine::solid) shaft.set("stroke-dasharray", dashes_of(line));
   group.add("path")
       .set("stroke", "none")
       .set("d", fmt::format("M{:.2f},{:.2f}L{:.2f},{:.2f}L{:.2f},{:.2f}Z", tip_x, tip_y, bx - w * uy, by + w * ux,

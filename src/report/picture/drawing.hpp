@@ -14,6 +14,9 @@ using Point = std::array<double, 2>;
 
 enum class ArrowLine : std::uint8_t { solid, dashed, dotted };
 
+/// Its stroke-dasharray; empty for a solid line.
+std::string_view dashes_of(ArrowLine line);
+
 /// Adds an arrow from a point along (dx, dy); its tip is at the end of this vector. Adds nothing if it would be shorter
 /// than a pixel.
 void add_arrow(const Element& svg, Point from, double dx, double dy, std::string_view css_class,

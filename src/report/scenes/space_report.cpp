@@ -45,6 +45,7 @@ class SpaceText {
   }
 
   std::string text_of(const Range& range) const {
+    if (!range.lower || !range.upper) return "unbounded";
     if (range.is_point()) return number_text(*range.lower, digits_);
     return "in [" + decimal_text(*range.lower, digits_ + 6) + ", " + decimal_text(*range.upper, digits_ + 6) + "]";
   }
@@ -55,21 +56,38 @@ class SpaceText {
       below.line("others may be near, whose gaps and slips differ by at most " +
                  decimal_text(*motion.others_within, 2));
     } else if (motion.is_continuum()) {
-      below.line("one of the continuum: how forces are shared decides how it moves");
+      below.line("a continuum: how forces are shared decides how it moves");
+      below.line("one of its motions, another that is proved to differ, and where all of them are");
     }
     if (motion.open_directions > 0) {
       below.line("forces are open along " + counted(motion.open_directions, "direction") + ": these are some of them");
     }
-    ReportTable& table = below.table({{"", ""}});
+    std::vector<const SpaceMotion*> side_by_side{&motion};
+    for (const SpaceMotion& other : motion.others) side_by_side.push_back(&other);
+    std::vector<ReportColumn> columns{"", motion.is_continuum() ? "one" : ""};
+    columns.resize(1 + side_by_side.size(), "another");
+    if (motion.is_continuum()) columns.emplace_back("all");
+    ReportTable& table = below.table({std::move(columns)});
+    const auto row = [&](const std::string& name, const auto& text, const std::string& of_all) {
+      std::vector<ReportCell> cells{name};
+      for (const SpaceMotion* one : side_by_side) cells.push_back(text(*one));
+      if (motion.is_continuum()) cells.push_back(of_all);
+      table.row(std::move(cells));
+    };
     for (std::size_t i = 0; i < m_.contacts.size(); ++i) {
-      if (motion.slips[i]) table.row({m_.contacts[i].name + " slips at", text_of(*motion.slips[i]) + " degrees"});
+      const auto slips = [&](const SpaceMotion& one) {
+        return one.slips[i] ? text_of(*one.slips[i]) + " degrees" : std::string();
+      };
+      if (motion.slips[i]) row(m_.contacts[i].name + " slips at", slips, "");
     }
     const std::vector<std::string> accelerations = acceleration_names(m_), forces = force_names(m_);
     for (std::size_t i = 0; i < accelerations.size(); ++i) {
-      table.row({accelerations[i], text_of(motion.accelerations[i])});
+      const auto own = [&](const SpaceMotion& one) { return text_of(one.accelerations[i]); };
+      row(accelerations[i], own, motion.is_continuum() ? text_of(motion.all_accelerations[i]) : "");
     }
     for (std::size_t i = 0; i < forces.size(); ++i) {
-      table.row({forces[i], motion.forces[i] ? text_of(*motion.forces[i]) : "open"});
+      row(
+          forces[i], [&](const SpaceMotion& one) { return one.forces[i] ? text_of(*one.forces[i]) : "open"; }, "");
     }
   }
 
@@ -93,27 +111,41 @@ Json range_of(const Range& range) {
   return Json::array({to_json(range.lower), to_json(range.upper)});
 }
 
-Json motion_json(const Mechanism& m, const SpaceMotion& motion) {
-  Json slips = Json::object(), accelerations = Json::object(), forces = Json::object();
+Json named(const std::vector<std::string>& names, const std::vector<Range>& ranges) {
+  Json result = Json::object();
+  for (std::size_t i = 0; i < names.size(); ++i) result[names[i]] = range_of(ranges[i]);
+  return result;
+}
+
+/// What it is, without what is proved of it.
+Json numbers_json(const Mechanism& m, const SpaceMotion& motion) {
+  Json slips = Json::object(), forces = Json::object();
   for (std::size_t i = 0; i < m.contacts.size(); ++i) {
     if (motion.slips[i]) slips[m.contacts[i].name] = range_of(*motion.slips[i]);
   }
-  const std::vector<std::string> acceleration = acceleration_names(m), force = force_names(m);
-  for (std::size_t i = 0; i < acceleration.size(); ++i) {
-    accelerations[acceleration[i]] = range_of(motion.accelerations[i]);
-  }
+  const std::vector<std::string> force = force_names(m);
   for (std::size_t i = 0; i < force.size(); ++i) {
     forces[force[i]] = motion.forces[i] ? range_of(*motion.forces[i]) : Json(nullptr);
   }
   return {{"modes", Json::array({mode_of(motion)})},
           {"slips", std::move(slips)},
-          {"accelerations", std::move(accelerations)},
-          {"forces", std::move(forces)},
-          {"exists", motion.exists},
-          {"unique", motion.unique},
-          {"others_within", to_json(motion.others_within)},
-          {"open_directions", motion.open_directions},
-          {"status", motion.strict ? "strict" : "boundary"}};
+          {"accelerations", named(acceleration_names(m), motion.accelerations)},
+          {"forces", std::move(forces)}};
+}
+
+Json motion_json(const Mechanism& m, const SpaceMotion& motion) {
+  Json result = numbers_json(m, motion);
+  result["exists"] = motion.exists;
+  result["unique"] = motion.unique;
+  result["others_within"] = to_json(motion.others_within);
+  if (motion.is_continuum()) {
+    result["others"] = Json::array();
+    for (const SpaceMotion& other : motion.others) result["others"].push_back(numbers_json(m, other));
+    result["all_accelerations"] = named(acceleration_names(m), motion.all_accelerations);
+  }
+  result["open_directions"] = motion.open_directions;
+  result["status"] = motion.strict ? "strict" : "boundary";
+  return result;
 }
 
 }  // namespace

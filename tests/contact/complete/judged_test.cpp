@@ -89,8 +89,8 @@ TEST_CASE("a block whose motion depends on how its feet share the weight moves i
   REQUIRE(continuum.around.size() == 12);
   for (std::size_t i = 0; i < 12; ++i) {
     for (const auto& other : continuum.others) {
-      CHECK(*other[i].lower >= *continuum.around[i].lower);
-      CHECK(*other[i].upper <= *continuum.around[i].upper);
+      CHECK(*other.u[i].lower >= *continuum.around[i].lower);
+      CHECK(*other.u[i].upper <= *continuum.around[i].upper);
     }
   }
   check_claim_of(problem, slips, "at least");

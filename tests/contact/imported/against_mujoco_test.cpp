@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <sstream>
 
 #include "base/number/binary64.hpp"
@@ -33,6 +34,7 @@ constexpr double near_enough = 1e-9;
 struct Ours {
   std::vector<std::string> names;
   std::vector<Vector3d> at;
+  std::vector<Vector3d> touching;  ///< the points of contacts with planes
   MatrixXd M, H, G;
   VectorXd f, b;
 };
@@ -64,6 +66,24 @@ Vector3d vector_in(const std::string& line) {
   return result;
 }
 
+/// Bodies stand along the scene's axes.
+void read_places(const std::string& text, Ours& to) {
+  std::istringstream lines(text);
+  std::string part;
+  const auto has = [&](const std::string& line, const std::string& key) { return line.rfind(key + " = ", 0) == 0; };
+  Vector3d own(0, 0, 0);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("[[", 0) == 0) part = line;
+    if (part == "[[body]]" && has(line, "at")) to.at.push_back(vector_in(line));
+    if (part != "[[contact]]") continue;
+    if (has(line, "of")) {
+      const std::string name = line.substr(6, line.size() - 7);
+      own = to.at[static_cast<std::size_t>(std::find(to.names.begin(), to.names.end(), name) - to.names.begin())];
+    }
+    if (has(line, "point")) to.touching.push_back(own + vector_in(line));
+  }
+}
+
 Ours ours(const std::string& text) {
   const std::filesystem::path file = std::filesystem::temp_directory_path() / "slipproof-against-mujoco.toml";
   std::ofstream(file) << text;
@@ -71,14 +91,9 @@ Ours ours(const std::string& text) {
   const GlobalProblem problem = global_problem(scene);
   std::filesystem::remove(file);
   Ours result;
-  std::istringstream lines(text);
-  bool in_body = false;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.rfind("[[", 0) == 0) in_body = line == "[[body]]";
-    if (in_body && line.rfind("at = ", 0) == 0) result.at.push_back(vector_in(line));
-  }
   for (const auto& body : scene.mechanism.bodies->bodies) result.names.push_back(body.name);
   result.names.erase(result.names.begin());  // the ground
+  read_places(text, result);
   const auto rows = static_cast<Eigen::Index>(problem.M.size());
   result.M = dense(problem.M, rows);
   result.H = dense(problem.H, rows);
@@ -164,8 +179,7 @@ class Comparison {
     a_ = VectorXd::Zero(6 * bodies);
     known_.assign(o_.names.size(), false);
     for (int body = 1; body < t_.m->nbody; ++body) know(body);
-    extend(false);
-    extend(true);
+    extend();
     compare_inertia();
     compare_forces();
     compare_contacts();
@@ -185,24 +199,20 @@ class Comparison {
 
   /// The coordinates of a body in free fall, which is left out.
   bool is_left_out(Eigen::Index coordinate) const { return T_.col(coordinate).isZero(0); }
-  bool is_rotor(std::size_t i) const { return o_.names[i].find("_rotor") != std::string::npos; }
 
-  /// Links without mass, and then rotors, move as their joints make them.
-  void extend(bool rotors) {
+  /// Links without mass move as their joints make them.
+  void extend() {
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < known_.size(); ++i) {
-      if (!known_[i] && (rotors || !is_rotor(i))) open.push_back(i);
+      if (!known_[i]) open.push_back(i);
     }
     if (open.empty()) return;
     std::vector<Eigen::Index> links;
     for (Eigen::Index j = 0; j < o_.G.cols(); ++j) {
-      bool touches = false, usable = true;
-      for (std::size_t i = 0; i < known_.size(); ++i) {
-        const bool has = !o_.G.col(j).segment(6 * static_cast<Eigen::Index>(i), 6).isZero(0);
-        touches = touches || (has && !known_[i]);
-        usable = usable && !(has && is_rotor(i) && !rotors);
-      }
-      if (touches && usable) links.push_back(j);
+      const bool touches = std::any_of(open.begin(), open.end(), [&](std::size_t i) {
+        return !o_.G.col(j).segment(6 * static_cast<Eigen::Index>(i), 6).isZero(0);
+      });
+      if (touches) links.push_back(j);
     }
     MatrixXd left(static_cast<Eigen::Index>(links.size()), 6 * static_cast<Eigen::Index>(open.size()));
     MatrixXd right(left.rows(), nv_ + 1);
@@ -224,15 +234,11 @@ class Comparison {
     }
   }
 
-  /// No joint is pulled apart; rotors, whose rounding errors are as large as they are fast, aside.
+  /// No joint is pulled apart.
   void compare_joints() {
     double worst = 0;
     for (Eigen::Index j = 0; j < o_.G.cols(); ++j) {
-      bool fast = false;
-      for (std::size_t i = 0; i < known_.size(); ++i) {
-        fast = fast || (is_rotor(i) && !o_.G.col(j).segment(6 * static_cast<Eigen::Index>(i), 6).isZero(0));
-      }
-      if (!fast) worst = std::max(worst, (o_.G.col(j).transpose() * T_).norm() / o_.G.col(j).norm());
+      worst = std::max(worst, (o_.G.col(j).transpose() * T_).norm() / o_.G.col(j).norm());
     }
     CHECK(worst < near_enough);
   }
@@ -266,48 +272,69 @@ class Comparison {
     CHECK((found - expected).cwiseAbs().maxCoeff() < near_enough * std::max(1.0, greatest));
   }
 
-  /// Each contact of MuJoCo has one of ours, with the same rows; where its points are its own choice, it may have none.
+  /// Each contact of MuJoCo has one of ours, with the same rows. Of cylinders and meshes it chooses up to four points,
+  /// of which we need not have all: those at one place are compared.
   void compare_contacts() {
-    const MatrixXd rows = o_.H.cols() > 0 ? MatrixXd(o_.H.transpose() * T_) : MatrixXd(0, nv_);
+    rows_ = o_.H.cols() > 0 ? MatrixXd(o_.H.transpose() * T_) : MatrixXd(0, nv_);
     int missing = 0, expected = 0;
     for (int i = 0; i < t_.d->ncon; ++i) {
       const mjContact& contact = t_.d->contact[i];
-      const int kind1 = t_.m->geom_type[contact.geom1], kind2 = t_.m->geom_type[contact.geom2];
-      const auto chosen = [](int kind) { return kind == mjGEOM_CYLINDER || kind == mjGEOM_MESH; };
-      if (std::abs(contact.dist) > 1e-7 || chosen(kind1) || chosen(kind2)) continue;
-      ++expected;
-      const Vector3d at(contact.pos);
-      const MatrixXd relative =
-          (t_.jacobian(t_.m->geom_bodyid[contact.geom2], at) - t_.jacobian(t_.m->geom_bodyid[contact.geom1], at))
-              .topRows(3);
-      const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> frame(contact.frame);
-      const MatrixXd theirs = frame * relative;
-      bool found = false;
-      for (Eigen::Index k = 0; k + 2 < rows.rows() && !found; k += 3) {
-        const double size = std::max(1.0, theirs.norm());
-        const double sign = rows.row(k).dot(theirs.row(0)) > 0 ? 1 : -1;
-        if ((sign * rows.row(k) - theirs.row(0)).norm() > 1e-6 * size) continue;
-        // Our tangents are theirs, turned about the normal.
-        const MatrixXd own = rows.middleRows(k + 1, 2), base = theirs.middleRows(1, 2);
-        const MatrixXd turn = base.transpose().colPivHouseholderQr().solve(own.transpose());
-        found = (base.transpose() * turn - own.transpose()).norm() < 1e-6 * size;
+      if (std::abs(contact.dist) > 1e-7) continue;
+      const auto chosen = [&](int geom) {
+        return t_.m->geom_type[geom] == mjGEOM_CYLINDER || t_.m->geom_type[geom] == mjGEOM_MESH;
+      };
+      if (!chosen(contact.geom1) && !chosen(contact.geom2)) {
+        ++expected;
+        bool found = false;
+        for (Eigen::Index k = 0; k + 2 < rows_.rows() && !found; k += 3) found = have_same_rows(k, contact);
+        if (!found) ++missing;
+      } else if (const auto same = at_same_place(Vector3d(contact.pos))) {
+        ++shared_points;
+        CHECK(have_same_rows(3 * *same, contact));
       }
-      if (!found) ++missing;
     }
-    matched_ = expected - missing;
     CAPTURE(expected);
     CHECK(missing == 0);
   }
 
+  std::optional<Eigen::Index> at_same_place(const Vector3d& at) const {
+    for (std::size_t k = 0; k < o_.touching.size(); ++k) {
+      if ((o_.touching[k] - at).norm() < 1e-6) return static_cast<Eigen::Index>(k);
+    }
+    return std::nullopt;
+  }
+
+  /// Our tangents are theirs, turned about the normal.
+  bool have_same_rows(Eigen::Index k, const mjContact& contact) const {
+    const Vector3d at(contact.pos);
+    const MatrixXd relative =
+        (t_.jacobian(t_.m->geom_bodyid[contact.geom2], at) - t_.jacobian(t_.m->geom_bodyid[contact.geom1], at))
+            .topRows(3);
+    const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> frame(contact.frame);
+    const MatrixXd theirs = frame * relative;
+    const double size = std::max(1.0, theirs.norm());
+    const double sign = rows_.row(k).dot(theirs.row(0)) > 0 ? 1 : -1;
+    if ((sign * rows_.row(k) - theirs.row(0)).norm() > 1e-6 * size) return false;
+    const MatrixXd own = rows_.middleRows(k + 1, 2), base = theirs.middleRows(1, 2);
+    const MatrixXd turn = base.transpose().colPivHouseholderQr().solve(own.transpose());
+    return (base.transpose() * turn - own.transpose()).norm() < 1e-6 * size;
+  }
+
+ public:
+  int shared_points = 0;  ///< of cylinders and meshes, at places that both have
+
+ private:
   const Ours& o_;
   Theirs& t_;
-  int nv_, matched_ = 0;
-  MatrixXd T_;  ///< velocities of our bodies for each of MuJoCo's coordinates
-  VectorXd a_;  ///< their accelerations where MuJoCo's are 0
+  int nv_;
+  MatrixXd rows_;  ///< of contacts, over MuJoCo's coordinates
+  MatrixXd T_;     ///< velocities of our bodies for each of MuJoCo's coordinates
+  VectorXd a_;     ///< their accelerations where MuJoCo's are 0
   std::vector<bool> known_;
 };
 
-void compare(const std::string& file, const std::string& key) {
+/// Returns how many points of cylinders and meshes both have.
+int compare(const std::string& file, const std::string& key) {
   CAPTURE(file);
   CAPTURE(key);
   const imported::Scene scene = imported::read_scene_of_bodies(file, {key, false, {}});
@@ -317,7 +344,18 @@ void compare(const std::string& file, const std::string& key) {
   Theirs theirs(file, key);
   const Ours own = ours(found.text);
   REQUIRE(own.M.rows() == 6 * static_cast<Eigen::Index>(own.names.size()));
-  Comparison(own, theirs).compare();
+  REQUIRE(own.touching.size() == static_cast<std::size_t>(own.H.cols() / 3));
+  Comparison comparison(own, theirs);
+  comparison.compare();
+  return comparison.shared_points;
+}
+
+int compare_text(const std::string& text, const std::string& key) {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "slipproof-against-mujoco.xml";
+  std::ofstream(file) << text;
+  const int shared = compare(file.string(), key);
+  std::filesystem::remove(file);
+  return shared;
 }
 
 }  // namespace
@@ -330,6 +368,42 @@ TEST_CASE("imported scenes have MuJoCo's inertia, forces and contacts") {
   compare(folder + "biped.xml", "");
   compare(folder + "biped.xml", "walks");
   compare(folder + "press.xml", "");
+}
+
+TEST_CASE("armatures of hinges, slides and balls on bodies that move are MuJoCo's") {
+  if (!has_parsers()) return;
+  compare_text(
+      "<mujoco><option gravity=\"0 0 -9.81\"/><worldbody><body name=\"a\" pos=\"0 0 2\"><freejoint/>"
+      "<geom type=\"box\" size=\"0.2 0.1 0.3\" mass=\"2\"/>"
+      "<body name=\"b\" pos=\"0.5 0 0\"><joint type=\"slide\" axis=\"0.6 0 0.8\" armature=\"0.7\"/>"
+      "<geom type=\"capsule\" fromto=\"0 0 0 0.1 0.3 0.2\" size=\"0.05\" mass=\"1\"/>"
+      "<body name=\"c\" pos=\"0 0.6 0.1\"><joint type=\"ball\" pos=\"0 -0.2 0\" armature=\"0.3\"/>"
+      "<geom type=\"box\" size=\"0.1 0.2 0.05\" mass=\"1.5\"/>"
+      "<body name=\"d\" pos=\"0 0.5 0\"><joint type=\"hinge\" axis=\"0 0.6 0.8\" pos=\"0 -0.2 0.1\" armature=\"0.2\"/>"
+      "<geom type=\"box\" size=\"0.1 0.05 0.2\" mass=\"0.5\"/></body></body></body></body></worldbody>"
+      "<keyframe><key name=\"moves\" qpos=\"0 0 2 1 0 0 0  0.1  1 0 0 0  0\" "
+      "qvel=\"0.3 0.1 -0.2 0.4 -0.3 0.2  0.9  0.5 0.1 -0.4  1.3\"/></keyframe></mujoco>",
+      "moves");
+}
+
+TEST_CASE("meshes and cylinders on planes touch at MuJoCo's points with its rows") {
+  if (!has_parsers()) return;
+  const auto free = [](const std::string& name, const std::string& at, const std::string& geom) {
+    return "<body name=\"" + name + "\" pos=\"" + at + "\"><freejoint/><geom mass=\"1\" " + geom + "/></body>";
+  };
+  const auto scene = [](const std::string& bodies, const std::string& floor) {
+    return "<mujoco><option gravity=\"0 0 -9.81\"/><asset>"
+           "<mesh name=\"wedge\" vertex=\"-0.2 -0.1 -0.05  0.2 -0.1 -0.05  0.2 0.1 -0.05  -0.2 0.1 -0.05  -0.2 -0.1 "
+           "0.05  -0.2 0.1 0.05\"/><mesh name=\"top\" vertex=\"0 0 -0.3  0.2 0 0  0 0.2 0  -0.2 -0.2 0  0 0 0.1\"/>"
+           "</asset><worldbody><geom name=\"floor\" type=\"plane\" size=\"9 9 0.1\" " +
+           floor + "/>" + bodies + "</worldbody></mujoco>";
+  };
+  const std::string wedge = "type=\"mesh\" mesh=\"wedge\"", top = "type=\"mesh\" mesh=\"top\"",
+                    cylinder = "type=\"cylinder\" size=\"0.25 0.5\"";
+  CHECK(compare_text(scene(free("lies", "0 0 0.25", "euler=\"90 0 0\" " + cylinder), ""), "") == 2);
+  CHECK(compare_text(scene(free("stands", "0 0 0.5", cylinder), ""), "") >= 1);  // of three points at 120 degrees
+  CHECK(compare_text(scene(free("slab", "0 0 0.05", wedge), ""), "") >= 3);
+  CHECK(compare_text(scene(free("peg", "0 0 0.3", top), ""), "") == 1);
 }
 
 TEST_CASE("so have those that SLIPPROOF_MJCF_FILES names") {  // FILE or FILE@KEY, with spaces between them

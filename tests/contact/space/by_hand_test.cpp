@@ -1,34 +1,16 @@
 // Scenes in space whose motion is worked out by hand.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <string>
 
+#include "contact/space/motion_value.hpp"
 #include "contact/space/solved_text.hpp"
 
 using namespace slipproof;
+using test::contains;
+using test::is;
 
 namespace {
-
-Range value(const SolvedSpace& solved, const std::string& name) {
-  REQUIRE(solved.complete());
-  REQUIRE(solved.motions.size() == 1);
-  const Mechanism& m = solved.scene.mechanism;
-  const SpaceMotion& motion = solved.motions.front();
-  const auto accelerations = acceleration_names(m), forces = force_names(m);
-  const auto a = std::ranges::find(accelerations, name), f = std::ranges::find(forces, name);
-  if (a != accelerations.end()) return motion.accelerations[static_cast<std::size_t>(a - accelerations.begin())];
-  REQUIRE_MESSAGE(f != forces.end(), name);
-  return motion.forces[static_cast<std::size_t>(f - forces.begin())].value();
-}
-bool is(const SolvedSpace& solved, const std::string& name, const Rational& expected) {
-  const Range range = value(solved, name);
-  return range.is_point() && *range.lower == expected;
-}
-bool contains(const SolvedSpace& solved, const std::string& name, const Rational& expected) {
-  const Range range = value(solved, name);
-  return *range.lower <= expected && expected <= *range.upper && *range.upper - *range.lower < Rational(1, 1'000'000);
-}
 
 /// A particle on a disc that turns about the z axis with the spin 2, at the distance 1 from it.
 std::string particle_on_disc(const std::string& velocity, const std::string& mu) {

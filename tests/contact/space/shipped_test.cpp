@@ -58,3 +58,35 @@ TEST_CASE("an exported scene in space has its accelerations in order") {
   CHECK(problem.H[4][0] == Rational(1, 10));   // and its moment about y at (-h, -h, -h)
   CHECK(problem.H[5][2] == Rational(-1, 10));  // of T2 about z
 }
+
+TEST_CASE("of a continuum another motion is told, and where all are") {
+  for (const std::string name : {"cube-pushed-obliquely", "cart-across-slope"}) {
+    CAPTURE(name);
+    const SolvedSpace solved =
+        solve_space(read_scene(SLIPPROOF_SOURCE_DIR "/cases/space/" + name + ".toml", Dimensions::any));
+    REQUIRE(solved.motions.size() == 1);
+    const SpaceMotion& one = solved.motions.front();
+    REQUIRE(one.others.size() == 1);
+    const SpaceMotion& other = one.others.front();
+    bool differ = false;
+    REQUIRE(one.all_accelerations.size() == one.accelerations.size());
+    for (std::size_t i = 0; i < one.accelerations.size(); ++i) {
+      const Range &a = one.accelerations[i], &b = other.accelerations[i], &all = one.all_accelerations[i];
+      differ = differ || *a.upper < *b.lower || *b.upper < *a.lower;
+      CHECK(*all.lower <= std::min(*a.lower, *b.lower));
+      CHECK(std::max(*a.upper, *b.upper) <= *all.upper);
+    }
+    CHECK(differ);
+  }
+}
+
+TEST_CASE("what follows from contacts that stay closed is exactly 0") {
+  const SolvedSpace cart =
+      solve_space(read_scene(SLIPPROOF_SOURCE_DIR "/cases/space/cart-across-slope.toml", Dimensions::any));
+  const auto names = acceleration_names(cart.scene.mechanism);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] != "az_cart" && names[i] != "alphax_cart" && names[i] != "alphay_cart") continue;
+    CAPTURE(names[i]);
+    CHECK(cart.motions.front().accelerations[i] == Range{0, 0});
+  }
+}

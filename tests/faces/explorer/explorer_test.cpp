@@ -11,9 +11,11 @@
 
 #include "base/input/diagnostic.hpp"
 #include "contact/problem/every_push.hpp"
+#include "contact/space/solve_space.hpp"
 #include "mechanics/reading/read_mechanism.hpp"
 #include "mechanics/scene/solve_mechanism.hpp"
 #include "report/explorer/explorer_page.hpp"
+#include "report/explorer/space_page.hpp"
 #include "report/scenes/mechanism_report.hpp"
 
 using namespace slipproof;
@@ -142,4 +144,26 @@ TEST_CASE("a link to the page holds the scene in characters that an address may 
   const AnswerJson given = AnswerJson::parse(text);
   const Explorer explorer({given["scene"], given["mechanism"], given["along"], given["file"]});
   CHECK(answer(explorer, AnswerJson::object())["name"] == scene.name);
+}
+
+TEST_CASE("the page of a scene in space holds its motions, and nothing can come out of it") {
+  MechanismScene scene = read_scene(shipped_cases + "space/domino.toml", Dimensions::any);
+  scene.name = "a </script> & \"domino\"";
+  const SolvedSpace solved = solve_space(scene);
+  const std::string page = space_page(solved), begin = "id=\"scene\">";
+  const std::size_t from = page.find(begin) + begin.size(), to = page.find("</script>", from);
+  const AnswerJson model = AnswerJson::parse(page.substr(from, to - from));
+  CHECK(model["name"] == scene.name);
+  REQUIRE(model["motions"].size() == solved.motions.size());
+  const auto& strokes = model["motions"][0]["strokes"];
+  const auto count = [&](const char* kind, const char* css) {
+    return std::count_if(strokes.begin(), strokes.end(),
+                         [&](const auto& stroke) { return stroke["kind"] == kind && stroke["css"] == css; });
+  };
+  CHECK(count("arrow", "friction") == 2);  // of the two feet that do not lift
+  CHECK(count("cone", "cone") == 2);
+  CHECK(count("dot", "contact ink") == 2);
+  CHECK(count("dot", "contact paper frame") == 2);
+  CHECK(page.find('@') == page.find("@media"));  // all marks are replaced
+  CHECK(page.find("http") == page.find("http-equiv"));
 }

@@ -60,7 +60,7 @@ TEST_CASE("the same velocities follow from joints, bodies, points and what is gi
   test::check_same_mechanism(parse_mechanism(replaced(given, "hang.rate = \"w\"\n", ""), "cart.toml"), cart);
 }
 
-TEST_CASE("in space the freedoms that are left are named, and no joint has friction") {
+TEST_CASE("in space the freedoms that are left are named, and what a slider with friction needs") {
   const std::string leg = read_text_file(SLIPPROOF_SOURCE_DIR "/cases/mechanisms/linkages/hinge-chain.toml");
   const auto messages = [](const std::string& text) {
     return test::said({"", text, {}, 3}, [](const std::string& one) { parse_mechanism(one, "leg.toml"); });
@@ -74,10 +74,11 @@ TEST_CASE("in space the freedoms that are left are named, and no joint has frict
       "[[joint]]\nname = \"rail\"\nkind = \"slider\"\nbetween = [\"ground\", \"thigh\"]\n"
       "at = [\"0\", \"0\", \"0\"]\naxis = [\"1\", \"0\", \"0\"]\nfriction = \"1\"\n[[torque]]";
   const auto refused = messages(replaced(leg, "[[torque]]", rail));
-  REQUIRE(!refused.empty());
+  REQUIRE(refused.size() == 3);
+  CHECK(refused[0].ends_with("missing length: expected the distance of its two guides"));
   CHECK(
-      refused[0].ends_with("friction: found friction at a joint in space, where no guide has it, expected it at "
-                           "contacts, [[contact]]"));
+      refused[1].ends_with("missing normal: expected the normal of the rail, out of the first body, across the axis"));
+  CHECK(refused[2].ends_with("missing width: expected the distance of the feet on both sides of the rail"));
   const std::string by_vector = replaced(leg, "knee.rate = \"q\"", "shin.spin = [\"-q*s1\", \"q*c1\", \"p\"]");
   test::check_same_mechanism(parse_mechanism(by_vector, "leg.toml"), parse_mechanism(leg, "leg.toml"));
 }

@@ -84,4 +84,24 @@ TableReader BodyParts::names_of(const TableReader& table, std::span<const std::s
   return names == nullptr ? table : TableReader(*names, "names", keys, context_.mistakes);
 }
 
+void BodyParts::name_forces(const TableReader& names, MechanismContact& contact, std::size_t index) {
+  using Role = MechanismUnknown::Role;
+  const std::string& name = contact.name;
+  contact.normal = unknown(names, "N", "N_" + name, Role::normal, index);
+  contact.gap_name = named(names, "gap", "gap_" + name);
+  if (contact.frictionless()) {
+    for (const std::string_view key : {"S", "T1", "T2"}) {
+      if (names.has(key)) names.refuse(key, "found the name of a force that a frictionless contact does not have");
+    }
+    return;
+  }
+  contact.tangent = unknown(names, in_space() ? "T1" : "S", (in_space() ? "T1_" : "S_") + name, Role::tangent, index);
+  contact.slip_name = named(names, "slip", "slip_" + name);
+  if (!in_space()) return;
+  MechanismSlip second;
+  second.force = unknown(names, "T2", "T2_" + name, Role::tangent, index);
+  second.name = named(names, "slip2", "slip2_" + name);
+  contact.second = std::move(second);
+}
+
 }  // namespace slipproof::mechanism_reader

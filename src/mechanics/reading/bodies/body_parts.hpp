@@ -32,6 +32,9 @@ class BodyParts : public ElementParts {
   /// The names that a table gives in `names`, or the table itself, which has none of these keys.
   TableReader names_of(const TableReader& table, std::span<const std::string_view> keys);
 
+  /// Forces, gap and slip of a contact, by the names in a table or the default ones.
+  void name_forces(const TableReader& names, MechanismContact& contact, std::size_t index);
+
   Bodies& bodies_;
 
  private:

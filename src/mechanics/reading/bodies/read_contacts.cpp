@@ -36,7 +36,8 @@ class BodyContactReader : public BodyParts {
     static constexpr std::array<std::string_view, 15> spatial{
         "name",     "of",        "point",     "radius",     "on",    "normal",  "through", "friction",
         "on_point", "on_radius", "bilateral", "lift_needs", "state", "tangent", "names"};
-    static constexpr std::array<std::string_view, 5> name_keys{"N", "S", "gap", "slip", "rolling"};
+    static constexpr std::array<std::string_view, 5> names_in_plane{"N", "S", "gap", "slip", "rolling"};
+    static constexpr std::array<std::string_view, 6> names_in_space{"N", "T1", "T2", "gap", "slip", "slip2"};
     const std::span<const std::string_view> keys =
         in_space() ? std::span<const std::string_view>(spatial) : std::span<const std::string_view>(in_plane);
     const bool by_equations = value.find("gap") != nullptr || value.find("slip") != nullptr;
@@ -52,45 +53,14 @@ class BodyContactReader : public BodyParts {
     touch.contact = mechanism_.contacts.size();
     touch.state_given = table.has("state");
     read_touch(table, touch);
-    if (in_space()) {
-      name_in_space(table, contact, touch);
-    } else {
-      name_in_plane(names_of(table, name_keys), contact, touch);
-    }
+    const std::span<const std::string_view> name_keys = in_space() ? std::span<const std::string_view>(names_in_space)
+                                                                   : std::span<const std::string_view>(names_in_plane);
+    const TableReader names = names_of(table, name_keys);
+    name_forces(names, contact, touch.contact);
+    if (!in_space()) touch.rolling_force = context_.text(names, "rolling");
     touch.well_named = named_well_;
     mechanism_.contacts.push_back(std::move(contact));
     bodies_.contacts.push_back(std::move(touch));
-  }
-
-  void name_in_plane(const TableReader& names, MechanismContact& contact, BodyContact& touch) {
-    contact.normal = unknown(names, "N", "N_" + contact.name, Role::normal, touch.contact);
-    if (!contact.frictionless()) {
-      contact.tangent = unknown(names, "S", "S_" + contact.name, Role::tangent, touch.contact);
-    } else if (names.has("S")) {
-      names.refuse("S", "found the name of a force that a frictionless contact does not have");
-    }
-    contact.gap_name = named(names, "gap", "gap_" + contact.name);
-    if (!contact.frictionless()) contact.slip_name = named(names, "slip", "slip_" + contact.name);
-    touch.rolling_force = context_.text(names, "rolling");
-  }
-
-  void name_in_space(const TableReader& table, MechanismContact& contact, BodyContact& touch) {
-    static constexpr std::array<std::string_view, 6> keys{"N", "T1", "T2", "gap", "slip", "slip2"};
-    const TableReader names = names_of(table, keys);
-    contact.normal = unknown(names, "N", "N_" + contact.name, Role::normal, touch.contact);
-    contact.gap_name = named(names, "gap", "gap_" + contact.name);
-    if (contact.frictionless()) {
-      for (const std::string_view key : {"T1", "T2"}) {
-        if (names.has(key)) names.refuse(key, "found the name of a force that a frictionless contact does not have");
-      }
-      return;
-    }
-    contact.tangent = unknown(names, "T1", "T1_" + contact.name, Role::tangent, touch.contact);
-    contact.slip_name = named(names, "slip", "slip_" + contact.name);
-    MechanismSlip second;
-    second.force = unknown(names, "T2", "T2_" + contact.name, Role::tangent, touch.contact);
-    second.name = named(names, "slip2", "slip2_" + contact.name);
-    contact.second = std::move(second);
   }
 
   void check_pair(const TableReader& table, const BodyContact& touch) {

@@ -60,10 +60,10 @@ class JointReader : public BodyParts {
 
  private:
   void read_joint(const TomlValue& value) {
-    static constexpr std::array<std::string_view, 17> all{
-        "name",    "kind",      "between", "at",    "to",       "axis",   "length", "force",  "ratio",
-        "carrier", "one_sided", "state",   "names", "friction", "radius", "ring",   "to_axis"};
-    const std::span<const std::string_view> keys(all.data(), in_space() ? 17 : 16);
+    static constexpr std::array<std::string_view, 20> all{
+        "name",      "kind",  "between", "at",       "to",     "axis", "length",   "force",   "ratio",  "carrier",
+        "one_sided", "state", "names",   "friction", "radius", "ring", "armature", "to_axis", "normal", "width"};
+    const std::span<const std::string_view> keys(all.data(), in_space() ? 20 : 17);
     const TableReader table(value, "[[joint]]", keys, context_.mistakes);
     BodyJoint joint;
     joint.place = value.place;
@@ -77,13 +77,16 @@ class JointReader : public BodyParts {
     joint.length = one(table, "length");
     joint.tension = one(table, "force");
     joint.ratio = one(table, "ratio");
+    joint.armature = one(table, "armature");
     if (table.has("carrier")) joint.carrier = body_of(table, "carrier");
     joint.radius = one(table, "radius");
     joint.ring = one(table, "ring");
+    if (in_space()) joint.normal = vector(table, "normal");
+    joint.width = in_space() ? one(table, "width") : PlacedExpression{};
     joint.state_given = table.has("state");
     if (known) check_keys(table, joint);
     if (context_.sound) check_free(table, joint);
-    if (known && has_friction(table)) return add_guides(table, std::move(joint), named_well_, context_, bodies_);
+    if (known && table.has("friction")) return add_guides(table, std::move(joint), named_well_, context_, bodies_);
     static constexpr std::array<std::string_view, 5> in_plane{"x", "y", "turn", "across", "force"};
     static constexpr std::array<std::string_view, 9> spatial{"x",     "y",     "z",     "across1", "across2",
                                                              "turn1", "turn2", "turn3", "force"};
@@ -130,21 +133,14 @@ class JointReader : public BodyParts {
     return true;
   }
 
-  /// False, and a report, in space.
-  bool has_friction(const TableReader& table) {
-    if (!table.has("friction") || !in_space()) return table.has("friction");
-    table.refuse("friction",
-                 "found friction at a joint in space, where no guide has it, expected it at contacts, [[contact]]");
-    return false;
-  }
-
   /// What a kind needs, and what it has no use for.
   void check_keys(const TableReader& table, const BodyJoint& joint) {
     using Kind = BodyJoint::Kind;
     const Kind kind = joint.kind;
     const bool span = kind == Kind::rod || kind == Kind::rope || kind == Kind::spring;
     const bool rubs = table.has("friction"), turning = turns({joint.first, joint.second});
-    const bool guided = rubs && kind == Kind::slider, in_ring = rubs && kind == Kind::pin;
+    const bool guided = rubs && kind == Kind::slider, round = kind == Kind::pin || kind == Kind::hinge;
+    const bool in_ring = rubs && round, in_two_rings = rubs && kind == Kind::hinge;
     const std::string word = table.string("kind")->text();
     const auto rule = [&](std::string_view key, bool allowed, bool needed, std::string_view expected) {
       if (needed) context_.sound = table.require(key, expected) && context_.sound;
@@ -163,11 +159,18 @@ class JointReader : public BodyParts {
       rule("to_axis", kind == Kind::universal || gear_in_space, kind == Kind::universal,
            "the other axis, in the axes of the second body");
     }
-    rule("friction", kind == Kind::slider || kind == Kind::pin, false, "");
-    rule("length", span || guided, span || (guided && turning && !in_space()),
-         guided ? "the distance of its two guides" : "the length between its ends");
+    rule("friction", kind == Kind::slider || round, false, "");
+    rule("length", span || guided || in_two_rings, span || (guided && turning) || in_two_rings,
+         guided         ? "the distance of its two guides"
+         : in_two_rings ? "the distance of its two rings along the axis"
+                        : "the length between its ends");
+    if (in_space()) {
+      rule("normal", guided, guided, "the normal of the rail, out of the first body, across the axis");
+      rule("width", guided, guided && turning, "the distance of the feet on both sides of the rail");
+    }
     rule("force", kind == Kind::spring, kind == Kind::spring, "the tension of the spring now, such as \"k*x\"");
     rule("ratio", kind == Kind::gear, kind == Kind::gear, "the second body's turning over the first's");
+    rule("armature", kind == Kind::pin || kind == Kind::hinge || kind == Kind::slider || kind == Kind::ball, false, "");
     rule("carrier", kind == Kind::gear, false, "");
     rule("one_sided", kind == Kind::gear, false, "");
     const bool one_sided = kind == Kind::rope || (kind == Kind::gear && table.boolean("one_sided").value_or(false));
@@ -177,19 +180,24 @@ class JointReader : public BodyParts {
 
   /// What a joint with friction needs, and what one without has no use for.
   void check_friction_keys(const TableReader& table, const BodyJoint& joint) {
-    const bool rubs = table.has("friction"), pin = joint.kind == BodyJoint::Kind::pin;
+    const bool rubs = table.has("friction");
+    const bool pin = joint.kind == BodyJoint::Kind::pin || joint.kind == BodyJoint::Kind::hinge;
     if (rubs && table.has("names")) {
       table.refuse("names", "found them at a joint with friction, whose forces are those of contacts, expected none");
     }
     for (const std::string_view key : {"radius", "ring"}) {
       if (!table.has(key) || (rubs && pin)) continue;
-      table.refuse(key, pin ? "found it at a pin without friction, expected friction as well"
-                            : "a " + table.string("kind")->text() + " has none");
+      table.refuse(
+          key, pin ? "found it at a " + table.string("kind")->text() + " without friction, expected friction as well"
+                   : "a " + table.string("kind")->text() + " has none");
     }
-    if (!rubs || !pin || in_space()) return;
+    if (!rubs || !pin) return;
     const bool whole =
-        table.require("radius", "the radius of the pin, a disc about `to` on the second body") &&
-        table.require("ring", "the radius of the ring about `at` on the first body, larger than the pin's");
+        table.require("radius", in_space() ? "the radius of the shaft, about `to` on the second body"
+                                           : "the radius of the pin, a disc about `to` on the second body") &&
+        table.require("ring", in_space()
+                                  ? "the radius of the rings about `at` on the first body, larger than the shaft's"
+                                  : "the radius of the ring about `at` on the first body, larger than the pin's");
     context_.sound = context_.sound && whole;
   }
 

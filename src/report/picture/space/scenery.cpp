@@ -35,6 +35,15 @@ std::string segment(const Vec3& from, const Vec3& to, const SpaceView& view) {
 
 }  // namespace
 
+std::string_view mark_of(BodyJoint::Kind kind) {
+  using Kind = BodyJoint::Kind;
+  if (kind == Kind::rod || kind == Kind::rope || kind == Kind::spring) return "line";
+  return kind == Kind::weld || kind == Kind::slider ? "square" : "circle";
+}
+std::string_view line_of(BodyJoint::Kind kind) {
+  return kind == BodyJoint::Kind::rod ? "body" : "chain";
+}
+
 std::string path_through(const std::vector<Vec3>& corners, const SpaceView& view) {
   std::string path;
   for (const Vec3& corner : corners) {
@@ -190,7 +199,6 @@ void Scenery::draw_edges(const Element& svg, const Piece& piece, const SpaceView
 /// A line along each axis, and a mark: round for a ball, square for a weld.
 void Scenery::draw_joint(const Element& svg, const SpaceGeometry::Joint& joint, const SpaceView& view,
                          PictureLabels& labels) const {
-  using Kind = BodyJoint::Kind;
   const auto line = [&](const Vec3& from, const Vec3& to, std::string_view css) {
     svg.add("path", css).set("d", segment(from, to, view));
     labels.avoid(view.pixel(from), view.pixel(to), 1);
@@ -198,9 +206,10 @@ void Scenery::draw_joint(const Element& svg, const SpaceGeometry::Joint& joint, 
   const Point at = view.pixel(joint.at);
   const double reach = 13 / view.scale();
   for (const Vec3& axis : joint.axes) line(joint.at - reach * axis, joint.at + reach * axis, "joint");
-  if (joint.kind == Kind::rod || joint.kind == Kind::rope || joint.kind == Kind::spring) {
-    line(joint.at, joint.to, joint.kind == Kind::rod ? "body" : "chain");
-  } else if (joint.kind == Kind::weld || joint.kind == Kind::slider) {
+  const std::string_view mark = mark_of(joint.kind);
+  if (mark == "line") {
+    line(joint.at, joint.to, line_of(joint.kind));
+  } else if (mark == "square") {
     svg.add("rect", "paper rim").set("x", at[0] - 3.5).set("y", at[1] - 3.5).set("width", 7).set("height", 7);
   } else {
     svg.add("circle", "paper rim").set("cx", at[0]).set("cy", at[1]).set("r", 3.5);

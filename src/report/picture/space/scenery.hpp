@@ -15,20 +15,22 @@ namespace slipproof {
 /// `SpaceGeometry::up`, onto the planes that bodies touch, and onto faces in such a plane.
 class Scenery {
  public:
-  Scenery(const SpaceGeometry& geometry, const Vec3& towards);
-
-  /// All corners of what is drawn: the picture must show them.
-  std::vector<Vec3> corners() const;
-  void draw(const Element& svg, const SpaceView& view, PictureLabels& labels) const;
-  bool has_shadows() const;
-
- private:
   /// What is painted at once: a solid, or a piece of a plane without one.
   struct Piece {
     Solid solid;
     bool floor = false;
     std::vector<std::vector<Vec3>> shadows;  ///< on it
   };
+
+  Scenery(const SpaceGeometry& geometry, const Vec3& towards);
+
+  /// All corners of what is drawn: the picture must show them.
+  std::vector<Vec3> corners() const;
+  void draw(const Element& svg, const SpaceView& view, PictureLabels& labels) const;
+  bool has_shadows() const;
+  const std::vector<Piece>& pieces() const { return pieces_; }
+
+ private:
   void add_plane(const SpaceGeometry::Plane& plane, std::size_t index);
   std::vector<Vec3> near_plane(const SpaceGeometry::Plane& plane, std::size_t index) const;
   std::vector<std::vector<Vec3>> shadows(const SpaceGeometry::Plane& plane, const std::vector<Vec3>& onto) const;
@@ -44,6 +46,10 @@ class Scenery {
   std::vector<Piece> pieces_;
   std::vector<std::size_t> order_;
 };
+
+/// How a joint is drawn: `line` from end to end, `square` or `circle`; and the class of its line.
+std::string_view mark_of(BodyJoint::Kind kind);
+std::string_view line_of(BodyJoint::Kind kind);
 
 /// A closed path through points in space.
 std::string path_through(const std::vector<Vec3>& corners, const SpaceView& view);

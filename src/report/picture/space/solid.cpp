@@ -12,17 +12,17 @@
 
 namespace slipproof {
 
-namespace {
-
-constexpr int round_sides = 28;
-/// Faces that meet at a smaller angle stand for a round surface.
-const double smooth_cosine = std::cos(0.45);
-
 double extent(const std::vector<Vec3>& points) {
   double most = 0;
   for (const Vec3& p : points) most = std::max(most, length(p - points.front()));
   return most;
 }
+
+namespace {
+
+constexpr int round_sides = 28;
+/// Faces that meet at a smaller angle stand for a round surface.
+const double smooth_cosine = std::cos(0.45);
 
 /// Sets the normals (Newell), and finds the edges.
 Solid finished(Solid solid) {

@@ -27,6 +27,9 @@ struct Solid {
   Vec3 middle() const;
 };
 
+/// The largest distance of a point from the first.
+double extent(const std::vector<Vec3>& points);
+
 // In the axes of their body.
 Solid box_solid(const Vec3& centre, const Vec3& size);
 Solid sphere_solid(const Vec3& centre, double radius);

@@ -98,7 +98,9 @@ Point SpaceArrows::see(const Vec3& p) {
   return ends_.back();
 }
 
-void SpaceArrows::arrow(const Vec3& from, const Vec3& to, std::string_view css, ArrowLine line) {
+void SpaceArrows::arrow(const Vec3& from, const Vec3& to, std::string_view css, ArrowLine line, Anchor anchor) {
+  strokes_.push_back(
+      {SpaceStroke::Kind::arrow, anchor == Anchor::start ? from : to, {from, to}, std::string(css), line});
   const Point start = see(from), end = see(to);
   add_arrow(svg_, start, end[0] - start[0], end[1] - start[1], css, line);
   labels_.avoid(start, end, 4);
@@ -110,10 +112,13 @@ void SpaceArrows::contact(std::size_t number) {
   const bool lifts = in_.motion != nullptr && in_.motion->modes[contact.index] == "lift";
   in_.motion == nullptr ? contact_directions(contact) : contact_force(contact);
   if (in_.motion != nullptr && in_.motion->slips[contact.index]) slip(contact, *in_.motion->slips[contact.index]);
-  svg_.add("circle", lifts ? "contact paper frame" : "contact ink").set("cx", at[0]).set("cy", at[1]).set("r", 3);
+  const std::string css = lifts ? "contact paper frame" : "contact ink";
+  svg_.add("circle", css).set("cx", at[0]).set("cy", at[1]).set("r", 3);
+  strokes_.push_back({SpaceStroke::Kind::dot, contact.at, {contact.at}, css});
   labels_.avoid(LabelBox{at[0] - 4, at[1] - 4, at[0] + 4, at[1] + 4});
   const std::string words = contact_text(in_.scene, in_.motion, contact.index);
-  labels_.words({at}, in_.lettered ? contact_letter(contact.index) : words);
+  names_.push_back({contact.at, contact.at, in_.lettered ? contact_letter(contact.index) : words});
+  labels_.words({at}, names_.back().text);
   described_.push_back(words);
 }
 
@@ -177,6 +182,7 @@ void SpaceArrows::cone(const SpaceGeometry::Contact& contact, double height) {
   std::vector<Pixel> hull;
   for (const Point& p : hull_of(outline)) hull.push_back({p[0], p[1]});
   if (hull.size() < 3) return;
+  strokes_.push_back({SpaceStroke::Kind::cone, contact.at, circle, "cone"});
   svg_.add("path", "cone").set("d", closed_path_of(hull));
   svg_.add("path", "cone").set("d", path_through(circle, in_.view));
   signs_.insert(SpaceSign::cone);
@@ -197,6 +203,7 @@ void SpaceArrows::slip(const SpaceGeometry::Contact& contact, const Range& degre
     constexpr int steps = 24;
     for (int i = 0; i <= steps; ++i) sector.push_back(at(middle - width / 2 + i * width / steps));
     for (const Vec3& p : sector) see(p);
+    strokes_.push_back({SpaceStroke::Kind::area, contact.at, sector, "arc"});
     svg_.add("path", "arc").set("d", path_through(sector, in_.view));
   }
   const bool slides = in_.scene.values.starts[contact.index] != ElementKind::Start::rest;
@@ -209,10 +216,12 @@ void SpaceArrows::push(const SpaceGeometry::Push& push) {
   const bool plain = in_.motion == nullptr;
   described_.push_back("pushed by " + push.name);
   signs_.insert(SpaceSign::load);
+  names_.push_back({push.at, push.at, plain_symbol(push.name) + (push.value.empty() ? "" : " " + push.value)});
   if (push.couple)
     return labels_.push(turn(push.at, push.is, turn_radius + 5, "load", ArrowLine::solid), push.name, push.value);
   const Vec3 way = (plain ? plain_push / in_.view.scale() : force_unit_ * length(push.is)) * direction_of(push.is);
-  arrow(push.at - way, push.at, "load");
+  names_.back().at = push.at - way;
+  arrow(push.at - way, push.at, "load", ArrowLine::solid, Anchor::end);
   const Point start = in_.view.pixel(push.at - way), end = in_.view.pixel(push.at);
   labels_.push({start, halfway_to(start, end)}, push.name, push.value);
 }
@@ -224,7 +233,10 @@ void SpaceArrows::weight(const SpaceGeometry::Weight& weight) {
   arrow(weight.at, end, "load weight");
   const std::string words = "weight " + rounded_value(length(weight.is));
   const Point tip = in_.view.pixel(end);
-  if (named() && !in_.lettered) labels_.words({tip, halfway_to(in_.view.pixel(weight.at), tip)}, words);
+  if (named() && !in_.lettered) {
+    labels_.words({tip, halfway_to(in_.view.pixel(weight.at), tip)}, words);
+    names_.push_back({weight.at, end, words});
+  }
   described_.push_back(words + " of " + weight.body);
   signs_.insert(SpaceSign::load);
 }
@@ -250,11 +262,13 @@ void SpaceArrows::body(const SpaceGeometry::MovingBody& body) {
 void SpaceArrows::straight(const Vec3& at, const Vec3& way, bool before, const std::string& name, double size) {
   if (size == 0 || length(way) <= nothing * size) return;
   const Vec3 end = at + (longest_way / in_.view.scale() / size) * way;
-  const Point from = see(at), to = see(end);
-  before ? add_velocity_arrow(svg_, from, to) : add_acceleration_arrow(svg_, from, to);
-  labels_.avoid(from, to, 4);
+  arrow(at, end, before ? "velocity" : "acceleration", before ? ArrowLine::solid : ArrowLine::dotted);
   const std::string words = (before ? "v " : "a ") + rounded_value(length(way));
-  if (named()) labels_.words({to, halfway_to(from, to)}, words);
+  const Point from = in_.view.pixel(at), to = in_.view.pixel(end);
+  if (named()) {
+    labels_.words({to, halfway_to(from, to)}, words);
+    names_.push_back({at, end, words});
+  }
   signs_.insert(before ? SpaceSign::velocity : SpaceSign::acceleration);
   described_.push_back(name + ": " + words);
 }
@@ -266,15 +280,18 @@ std::vector<Point> SpaceArrows::turn(const Vec3& at, const Vec3& axis, double ra
   const double reach = radius / in_.view.scale();
   std::vector<Pixel> arc;
   std::vector<Point> near;
+  strokes_.push_back({SpaceStroke::Kind::turn, at, {}, std::string(css), line});
   for (int i = 0; i <= steps; ++i) {
     const double angle = 1.5 * std::numbers::pi * i / steps;
-    const Point p = see(at + reach * std::cos(angle) * across.first + reach * std::sin(angle) * across.second);
+    strokes_.back().points.push_back(at + reach * std::cos(angle) * across.first +
+                                     reach * std::sin(angle) * across.second);
+    const Point p = see(strokes_.back().points.back());
     if (i > 0) labels_.avoid({arc.back().x, arc.back().y}, p, 3);
     arc.push_back({p[0], p[1]});
     if (i % 6 == 0) near.push_back(p);
   }
   const Element path = svg_.add("path", css).set("style", "fill:none").set("d", path_of(arc));
-  if (line == ArrowLine::dotted) path.set("stroke-dasharray", "1.5 2.5");
+  if (line == ArrowLine::dotted) path.set("stroke-dasharray", dashes_of(line));
   const Pixel before = arc[arc.size() - 2], end = arc.back();
   const double dx = end.x - before.x, dy = end.y - before.y, step = std::max(std::hypot(dx, dy), 0.1);
   add_arrow(svg_, {end.x, end.y}, 8 * dx / step, 8 * dy / step, css);

@@ -2,6 +2,7 @@
 // and accelerations.
 #pragma once
 
+#include <cstdint>
 #include <set>
 #include <string>
 #include <vector>
@@ -24,6 +25,21 @@ struct SpaceSizes {
   void see(const MechanismScene& scene, const SpaceGeometry& geometry, const SpaceMotion& motion);
 };
 
+/// One of the lines that make the arrows, in space, for pages that turn them: what has a length in pixels begins at its
+/// anchor.
+struct SpaceStroke {
+  enum class Kind : std::uint8_t { arrow, area, cone, turn, dot };
+  Kind kind = Kind::arrow;
+  Vec3 anchor{};
+  std::vector<Vec3> points;  ///< of a cone: its circle
+  std::string css;
+  ArrowLine line = ArrowLine::solid;
+};
+struct SpaceLabel {
+  Vec3 anchor{}, at{};
+  std::string text;
+};
+
 class SpaceArrows {
  public:
   struct Input {
@@ -42,6 +58,8 @@ class SpaceArrows {
   const std::vector<Point>& ends() const { return ends_; }
   const std::vector<std::string>& described() const { return described_; }
   const std::set<SpaceSign>& signs() const { return signs_; }
+  const std::vector<SpaceStroke>& strokes() const { return strokes_; }
+  const std::vector<SpaceLabel>& labels() const { return names_; }
 
  private:
   void contact(std::size_t number);
@@ -57,7 +75,9 @@ class SpaceArrows {
   /// Part of a circle around an axis, with an arrow at its end; returns places for its label.
   std::vector<Point> turn(const Vec3& at, const Vec3& axis, double radius, std::string_view css, ArrowLine line);
   Point see(const Vec3& p);
-  void arrow(const Vec3& from, const Vec3& to, std::string_view css, ArrowLine line = ArrowLine::solid);
+  enum class Anchor : std::uint8_t { start, end };
+  void arrow(const Vec3& from, const Vec3& to, std::string_view css, ArrowLine line = ArrowLine::solid,
+             Anchor anchor = Anchor::start);
   bool named() const { return in_.geometry.bodies.size() <= 3; }
 
   const Element svg_;
@@ -68,6 +88,8 @@ class SpaceArrows {
   std::vector<std::pair<std::string, Point>> named_;
   std::vector<std::string> described_;
   std::set<SpaceSign> signs_;
+  std::vector<SpaceStroke> strokes_;
+  std::vector<SpaceLabel> names_;
 };
 
 }  // namespace slipproof

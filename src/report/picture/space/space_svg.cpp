@@ -7,6 +7,7 @@
 
 #include "base/input/diagnostic.hpp"
 #include "base/number/format.hpp"
+#include "base/output/json.hpp"
 #include "report/markup/symbol.hpp"
 #include "report/picture/frame/panels.hpp"
 #include "report/picture/labels/contact_table.hpp"
@@ -43,6 +44,39 @@ class SpacePicture {
   const SpaceNumbers& numbers() const { return numbers_; }
   const std::set<SpaceSign>& signs() const { return signs_; }
 
+  /// What a page needs to draw the same from other directions, without motions.
+  Json model() const {
+    Json model{{"up", geometry_.up}, {"size", {space_width, space_height}}, {"scale", view_.scale()}};
+    model["corners"] = scenery_.corners();
+    for (const char* key : {"pieces", "sticks", "joints"}) model[key] = Json::array();
+    for (const Scenery::Piece& piece : scenery_.pieces()) model["pieces"].push_back(piece_json(piece));
+    for (const auto& stick : geometry_.sticks) model["sticks"].push_back({stick.from, stick.to});
+    for (const auto& joint : geometry_.joints) {
+      model["joints"].push_back({{"at", joint.at},
+                                 {"to", joint.to},
+                                 {"axes", joint.axes},
+                                 {"mark", mark_of(joint.kind)},
+                                 {"css", line_of(joint.kind)}});
+    }
+    return model;
+  }
+  /// The same of a motion.
+  Json model(const SpaceMotion& motion) const {
+    const ElementTree scratch("svg");
+    PictureLabels labels;
+    const bool lettered = scene_.mechanism.contacts.size() >= fewest_lettered;
+    SpaceArrows arrows(scratch.root(), {scene_, &motion, geometry_, numbers_, view_, sizes_, lettered}, labels);
+    arrows.draw();
+    Json model{{"heading", heading_of(motion)}, {"kind", kind_of(motion)}};
+    model["rows"] = contact_rows(scene_, &motion, numbers_, lettered);
+    for (const char* key : {"strokes", "labels"}) model[key] = Json::array();
+    for (const SpaceStroke& stroke : arrows.strokes()) model["strokes"].push_back(stroke_json(stroke));
+    for (const SpaceLabel& label : arrows.labels()) {
+      model["labels"].push_back({{"anchor", label.anchor}, {"at", label.at}, {"text", label.text}});
+    }
+    return model;
+  }
+
   /// Scenery, arrows, labels, axes and the table of contacts; returns what they are in words.
   std::vector<std::string> draw(const Element& svg, const SpaceMotion* motion, PictureFrame& frame) {
     PictureLabels labels;
@@ -62,6 +96,26 @@ class SpacePicture {
   }
 
  private:
+  static Json piece_json(const Scenery::Piece& piece) {
+    const Solid& solid = piece.solid;
+    Json json{{"corners", solid.corners}, {"extent", extent(solid.corners)}, {"floor", piece.floor}};
+    for (const char* key : {"faces", "edges"}) json[key] = Json::array();
+    json["shadows"] = piece.shadows;
+    for (const auto& face : solid.faces) json["faces"].push_back({{"corners", face.corners}, {"normal", face.normal}});
+    for (const auto& edge : solid.edges) {
+      json["edges"].push_back({{"from", edge.from}, {"to", edge.to}, {"faces", edge.faces}, {"smooth", edge.smooth}});
+    }
+    return json;
+  }
+  static Json stroke_json(const SpaceStroke& stroke) {
+    constexpr std::array<const char*, 5> kinds{"arrow", "area", "cone", "turn", "dot"};
+    return {{"kind", kinds[static_cast<std::size_t>(stroke.kind)]},
+            {"anchor", stroke.anchor},
+            {"points", stroke.points},
+            {"css", stroke.css},
+            {"dashes", dashes_of(stroke.line)}};
+  }
+
   void fit(const std::vector<Vec3>& corners) {
     LabelBox all{1e300, 1e300, -1e300, -1e300};
     for (const Vec3& corner : corners) {
@@ -166,6 +220,17 @@ std::string space_svg_file(const MechanismScene& scene, const Vec3& from) {
 
 std::string space_svg_file(const SolvedSpace& solved, std::size_t motion, const Vec3& from) {
   return single_file(solved.scene, &solved.motions[motion], from);
+}
+
+std::string space_model_json(const SolvedSpace& solved) {
+  const SpacePicture picture(solved.scene, solved.motions, view_direction(usual_view));
+  Json model = picture.model();
+  model["name"] = solved.scene.name;
+  model["counted"] = counted_in_space(solved, picture.numbers());
+  model["from"] = Json::parse("[" + std::string(usual_view) + "]");
+  model["motions"] = Json::array();
+  for (const SpaceMotion& motion : solved.motions) model["motions"].push_back(picture.model(motion));
+  return json_text(model);
 }
 
 std::string space_motions_svg_file(const SolvedSpace& solved, const Vec3& from) {

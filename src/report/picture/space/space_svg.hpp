@@ -23,4 +23,8 @@ std::string space_svg_file(const SolvedSpace& solved, std::size_t motion, const 
 /// All motions side by side, each with what it is: its mode, one of a continuum, forces open.
 std::string space_motions_svg_file(const SolvedSpace& solved, const Vec3& from);
 
+/// The same pictures as numbers in space, for a page that turns them: solids, joints, and of each motion the lines of
+/// its arrows, its labels and its table.
+std::string space_model_json(const SolvedSpace& solved);
+
 }  // namespace slipproof

@@ -8,6 +8,8 @@ from series import Vector, apply, rotation
 
 JOINTS = ("ball", "hinge", "slider", "cylindrical", "universal", "weld", "rod", "rope", "spring", "gear")
 
+ARMED = ("ball", "hinge", "slider")  # may have an armature
+
 
 class Draw:
     def __init__(self, rng):
@@ -110,7 +112,8 @@ class System:
         if kind == "universal":
             axis, other, _ = (first.to_own(first.at + v) for v in d.frame())
             other = second.to_own(second.at + apply(first.axes, other))
-        self.elements.append(Joint(name, kind, first, second, at, second.to_own(place), axis, other, write_to))
+        armature = Fraction(self.rng.randint(1, 6), 2) if kind in ARMED and self.rng.random() < 0.5 else None
+        self.elements.append(Joint(name, kind, first, second, at, second.to_own(place), axis, other, write_to, armature))
 
     def gear(self, carrier, second):
         """`second` and another body, both on hinges of the carrier, in every second with one axis."""

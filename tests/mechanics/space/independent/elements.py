@@ -44,10 +44,11 @@ def texts(values):
 
 class Element:
     """`links`: functions that stay 0. `rows`: name of a force and the function that it works along, positive where it
-    pushes. `loads`: functions and the force along them that is given."""
+    pushes. `loads`: functions and the force along them that is given. `armatures`: functions and the inertia against their
+    speeds."""
 
     def __init__(self, among):
-        self.among, self.links, self.rows, self.loads, self.text = [b.name for b in among], [], [], [], ""
+        self.among, self.links, self.rows, self.loads, self.armatures, self.text = [b.name for b in among], [], [], [], [], ""
         self.speeds = []  # functions and what their speeds must be
         self.friction, self.slides = Fraction(0), None
 
@@ -61,6 +62,12 @@ def each(function):
     return [Place(lambda m, i=i: function(m)[i]) for i in range(3)]
 
 
+def spin(m, body):
+    marks = [m.turned(body, u) for u in UNITS]
+    twice = [mark.cross(Vector(*(x.derivative() for x in mark))) for mark in marks]
+    return (twice[0] + twice[1] + twice[2]) * Fraction(1, 2)
+
+
 def columns_differ(first, second):
     """Nine conditions that both bodies turn alike: each axis of the scene, carried by one and by the other."""
     return [f for u in UNITS for f in each(lambda m, u=u: m.turned(first, u) - m.turned(second, u))]
@@ -69,7 +76,8 @@ def columns_differ(first, second):
 class Joint(Element):
     """The kinds whose conditions are about two points and axes. `to` need not be where `at` is for those that slide."""
 
-    def __init__(self, name, kind, first, second, at, to, axis=None, other_axis=None, write_to=True):
+    def __init__(self, name, kind, first, second, at, to, axis=None, other_axis=None, write_to=True,
+                 armature=None):
         super().__init__((first, second))
         self.kind = kind
 
@@ -88,9 +96,15 @@ class Joint(Element):
             self.links += columns_differ(first, second)
         if kind == "universal":
             self.links.append(Place(lambda m: m.direction(first, axis).dot(m.direction(second, other_axis))))
+        if armature is not None:
+            marks = UNITS if kind == "ball" else (along,)
+            rates = [Place(lambda m: apart(m).dot(m.turned(first, along))) if kind == "slider" else
+                     Rate(lambda m, u=u: m.turned(first, u).dot(spin(m, second) - spin(m, first))) for u in marks]
+            self.armatures += [(rate, armature) for rate in rates]
         self.text = (f'[[joint]]\nname = "{name}"\nkind = "{kind}"\nbetween = ["{first.name}", "{second.name}"]\n'
                      f'at = {texts(at)}\n')
         self.text += f"to = {texts(to)}\n" if write_to else ""
+        self.text += f'armature = "{armature}"\n' if armature is not None else ""
         self.text += f"axis = {texts(axis)}\n" if axis is not None else ""
         self.text += f"to_axis = {texts(other_axis)}\n" if other_axis is not None else ""
 
@@ -202,14 +216,9 @@ class Torque(Element):
     def __init__(self, on, couple, back_on):
         super().__init__((on,) if back_on is None else (on, back_on))
 
-        def spin(m, body, k):
-            marks = [m.turned(body, u) for u in UNITS]
-            return sum((mark.cross(Vector(*(x.derivative() for x in mark)))[k] * Fraction(1, 2) for mark in marks[1:]),
-                       marks[0].cross(Vector(*(x.derivative() for x in marks[0])))[k] * Fraction(1, 2))
-
         for k in range(3):
-            self.loads.append((Rate(lambda m, k=k: spin(m, on, k)), couple[k]))
+            self.loads.append((Rate(lambda m, k=k: spin(m, on)[k]), couple[k]))
             if back_on is not None:
-                self.loads.append((Rate(lambda m, k=k: spin(m, back_on, k)), -couple[k]))
+                self.loads.append((Rate(lambda m, k=k: spin(m, back_on)[k]), -couple[k]))
         self.text = f'[[torque]]\non = "{on.name}"\nis = {texts(couple)}\n'
         self.text += f'back_on = "{back_on.name}"\n' if back_on is not None else ""

@@ -70,17 +70,18 @@ def main():
     rng = random.Random(int(sys.argv[3]) if len(sys.argv) > 3 else 64)
     selfcheck(place)
     turning_equations = lagrange_of_turning()
-    seen, wrong, sliding = Counter(), 0, 0
+    seen, wrong, sliding, armed = Counter(), 0, 0, 0
     with tempfile.TemporaryDirectory() as folder:
         for index, (system, problem) in zip(range(count), systems(rng, turning_equations)):
             seen.update(e.kind for e in system.elements if hasattr(e, "kind"))
             sliding += system.slides()
+            armed += any(e.armatures for e in system.elements)
             found = exported(program, system.text(), Path(folder))
             differences = [found] if isinstance(found, str) else problem.differences(found)
             if differences:
                 wrong += 1
                 print(f"system {index}:\n{system.text()}\n" + "\n".join(differences), flush=True)
-    print(f"{count} systems, {sliding} of which slide: " + ", ".join(f"{n} {kind}" for kind, n in sorted(seen.items())))
+    print(f"{count} systems, {sliding} of which slide and {armed} have armatures: " + ", ".join(f"{n} {kind}" for kind, n in sorted(seen.items())))
     if wrong:
         sys.exit(f"{wrong} systems differ")
     print("every number is the same rational")

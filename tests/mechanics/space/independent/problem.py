@@ -26,6 +26,8 @@ class Problem:
                 work = self.work(f, among)
                 assert row == work, "what a force works along is what it accelerates"
                 self.columns[name, force] = (row, constant)
+            for f, size in element.armatures:
+                self.add_armature(size, *acceleration_row(f.function, self.bodies, self.names(among), f.change))
             for f, size in element.loads:
                 for i, x in enumerate(self.work(f, among)):
                     self.f[i] += size * x
@@ -53,6 +55,13 @@ class Problem:
                 row[start + 3 + k] = Fraction(turning_equations(*given, *turning)[i] - constant[i])
             self.M.append(row)
             self.f.append(-Fraction(constant[i]))
+
+    def add_armature(self, size, row, constant):
+        """Of a kinetic energy of size/2 times the square of a speed whose derivative is row . v + constant."""
+        for i, x in enumerate(row):
+            self.f[i] -= size * x * constant
+            for k, y in enumerate(row):
+                self.M[i][k] += size * x * y
 
     def links_fit(self):
         """Whether accelerations satisfy them."""
