@@ -76,9 +76,9 @@ def wall(courses, bricks, mu=HALF):
 
 
 def cards(levels, mu=Fraction(4, 5)):
-    """Pairs of leaning cards, flat ones over neighbouring pairs; thin ones, of slope 15 to 8, 2 high on edge."""
+    """Pairs of leaning cards, at 65 degrees nearly, flat ones over neighbouring pairs; all without thickness."""
     s = Structure(f"cards-{levels}", 2, (Fraction(0), Fraction(-10)))
-    dx, dy = Fraction(16, 17), Fraction(30, 17)
+    dx, dy = Fraction(72, 85), Fraction(154, 85)
     for level in range(levels):
         for k in range(levels - level):
             middle, foot = (2 * k + level - levels + 1) * dx, level * dy
