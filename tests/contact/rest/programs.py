@@ -11,12 +11,15 @@ import simplex
 
 
 def columns(structure):
-    """For each contact the names of its two rays, and what a unit of each is in N and S."""
+    """For each contact the names of its two rays, and what a unit of each is in N and S; for a pin's forces both signs."""
     rays = {}
     for c in structure.contacts:
         normal, tangent = c.forces()
         rays[f"p_{c.name}"] = {normal: Fraction(1), tangent: c.mu}
         rays[f"m_{c.name}"] = {normal: Fraction(1), tangent: -c.mu}
+    for pin in structure.pins:
+        for force in pin.forces():
+            rays[f"p_{force}"], rays[f"m_{force}"] = {force: Fraction(1)}, {force: Fraction(-1)}
     return rays
 
 
@@ -40,7 +43,7 @@ def equations(structure, load):
 
 
 def widened(program):
-    """The same with a margin e <= 1 by which every ray is at least pressed: x = x' + e."""
+    """The same with a margin e <= 1 by which every ray is at least pressed: x = x' + e. A pin's two signs cancel."""
     out = [({**left, "e": sum(left.values())}, right) for left, right in program]
     return out + [({"e": Fraction(1), "slack": Fraction(1)}, Fraction(1))]
 

@@ -1,8 +1,8 @@
-"""Random structures in the plane: piles, walls, leaning rods, arches, bodies that touch anywhere. Small denominators, so
+"""Random structures in the plane: piles, walls, leaning rods, arches, chains, bodies that touch anywhere. Small denominators, so
 that some of them stand exactly at their limit."""
 from fractions import Fraction
 
-from structure import Body, Contact, Force, Structure, minus, times
+from structure import Body, Contact, Force, Pin, Structure, minus, times
 
 HALF = Fraction(1, 2)
 UP = (Fraction(0), Fraction(1))
@@ -144,8 +144,27 @@ def anywhere(random, s, size):
             touch(s, f"b{k}", on, point, normal, coefficient(random))
 
 
+def linkage(random, s, size):
+    """A chain of rods with pins, between supports; some rods lie on others."""
+    foot = (Fraction(0), Fraction(0))
+    for k in range(random.randint(1, min(size, 8))):
+        a, b, _ = random.choice(TRIPLES)
+        head = (foot[0] + a, foot[1] + random.choice([b, -b, 0]))
+        at = ((foot[0] + head[0]) / 2, (foot[1] + head[1]) / 2)
+        s.bodies.append(Body(f"b{k}", Fraction(random.randint(1, 5)), at))
+        if k and random.random() < 0.8:
+            s.pins.append(Pin(f"p{k}", f"b{k - 1}", f"b{k}", foot))
+        elif k == 0 and random.random() < 0.5:
+            s.pins.append(Pin("p0", "b0", None, foot))
+        else:
+            touch(s, f"b{k}", None, foot, UP, coefficient(random))
+        if random.random() < 0.5 or k == 0:
+            touch(s, f"b{k}", None, head, random.choice([UP, UP, (Fraction(-1), Fraction(0)), (Fraction(-3, 5), Fraction(4, 5))]), coefficient(random))
+        foot = head
+
+
 MOST_CONTACTS = 64  # that a mechanism file may have
-KINDS = [pile, wall, rods, arch, anywhere]
+KINDS = [pile, wall, rods, arch, anywhere, linkage]
 
 
 def structure(random, name, size):

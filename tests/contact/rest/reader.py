@@ -34,6 +34,9 @@ def motion_wrong(structure, motion, load):
         normal, *tangents = (sliding.get(f, Fraction(0)) for f in c.forces())
         if normal < 0 or sum(t * t for t in tangents) * c.mu**2 > normal**2:
             return f"{c.name} would do work against it: {normal}, {tangents}"
+    for pin in structure.pins:
+        if any(sliding.get(f, 0) for f in pin.forces()):
+            return f"{pin.name} would come apart"
     return ""
 
 

@@ -58,6 +58,18 @@ class Contact:
 
 
 @dataclass
+class Pin:
+    """A joint in the plane: any force on `first`, and its reaction on `second`, which is None for the ground."""
+    name: str
+    first: str
+    second: str
+    point: tuple
+
+    def forces(self):
+        return [f"R_{self.name}_x", f"R_{self.name}_y"]
+
+
+@dataclass
 class Force:
     """The constant part, and the part that is multiplied by the load F."""
     of: str
@@ -74,6 +86,7 @@ class Structure:
     bodies: list = field(default_factory=list)
     contacts: list = field(default_factory=list)
     forces: list = field(default_factory=list)
+    pins: list = field(default_factory=list)
     load: Fraction = None  # the value of F in the scene
 
     def body(self, name):
@@ -89,11 +102,14 @@ class Structure:
             weight = wrench(times(b.mass, self.gravity), (Fraction(0),) * self.dimension)
             rows += [[n, {}, w, Fraction(0)] for n, w in zip(names, weight)]
         at = {b.name: b.at for b in self.bodies}
-        for c in self.contacts:
-            for body, sign in ((c.of, 1), (c.on, -1)):
+        axes = [(Fraction(1), Fraction(0)), (Fraction(0), Fraction(1))]
+        pairs = [(c.of, c.on, c.point, c.forces(), c.directions()) for c in self.contacts]
+        pairs += [(p.first, p.second, p.point, p.forces(), axes) for p in self.pins]
+        for of, on, point, forces, directions in pairs:
+            for body, sign in ((of, 1), (on, -1)):
                 if body is not None:
-                    for force, d in zip(c.forces(), c.directions()):
-                        for k, w in enumerate(wrench(d, minus(c.point, at[body]))):
+                    for force, d in zip(forces, directions):
+                        for k, w in enumerate(wrench(d, minus(point, at[body]))):
                             if w:
                                 rows[first[body] + k][1][force] = sign * w
         for f in self.forces:
@@ -122,6 +138,10 @@ class Structure:
             out += [f'on = "{c.on}"'] if c.on else []
             out += [f"normal = {text(c.normal)}", f"through = {text(minus(c.point, on))}", f'friction = "{symbol[c.mu]}"']
             out += [f"tangent = {text(c.tangent)}"] if c.tangent else []
+        for p in self.pins:
+            first, second = (self.body(n).at if n else (0, 0) for n in (p.first, p.second))
+            out += ["[[joint]]", f'name = "{p.name}"', 'kind = "pin"', f'between = ["{p.first}", "{p.second or "ground"}"]']
+            out += [f"at = {text(minus(p.point, first))}", f"to = {text(minus(p.point, second))}"]
         for f in self.forces:
             parts = [affine(constant, load) for constant, load in zip(f.constant, f.load)]
             out += ["[[force]]", f'on = "{f.of}"', f"at = {text(minus(f.point, self.body(f.of).at))}", f"is = {text(parts)}"]
