@@ -24,7 +24,7 @@ def differences(solver, structure, answer):
     if structure.load is not None:
         expected = programs.loads(solver, structure)
         told = answer["load"]
-        found = [reader.exact_end(told["from"]), reader.exact_end(told["to"])] if told else None
+        found = None if told["none"] else [reader.exact_end(told["from"]), reader.exact_end(told["to"])]
         if found != expected:
             out.append(f"found loads {found}, expected {expected}")
     return out

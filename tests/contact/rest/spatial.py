@@ -28,18 +28,15 @@ def outside(told, status, value):
     return "" if lower - slack <= value <= upper + slack else f"found the end [{lower}, {upper}], and CVXOPT {value}"
 
 
-def load_differences(structure, answer):
+def load_differences(structure, told):
     import cones
-    out = []
+    out = [] if told["decided"] else ["found no ends"]
     for sign, key in ((-1, "from"), (1, "to")):
         status, value = cones.extreme(structure, sign)
-        told = answer["load"]
-        if status == "infeasible":
-            if told is not None and answer["can_rest"]:
-                out.append("found loads, and CVXOPT none")
-        elif told is None:
-            out.append(f"found no loads, and CVXOPT {status} {value}") if status == "optimal" else None
-        elif message := outside(reader.ends(told[key]), status, value):
+        if told["none"] or status == "infeasible":
+            if not told["none"] or status in ("optimal", "unbounded"):
+                out.append(f"found {told}, and CVXOPT {status} {value}")
+        elif told["decided"] and (message := outside(reader.ends(told[key]), status, value)):
             out.append(f"{key}: {message}")
     return out
 
@@ -49,7 +46,7 @@ def differences(structure, answer, compare_loads):
     if answer["can_rest"] is None:
         out.append("found no answer")
     if compare_loads and structure.load is not None:
-        out += load_differences(structure, answer)
+        out += load_differences(structure, answer["load"])
     return out
 
 
