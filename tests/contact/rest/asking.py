@@ -27,13 +27,13 @@ def ask(slipproof, scene, *more):
         return {"failed": f"exit code {run.returncode}: {run.stderr or run.stdout}"}
 
 
-def compare(chosen, structure_of, differences):
-    """Asks about structures with the seeds from `--seed` on; prints what differs, and ends with an error if anything does."""
+def compare(chosen, structure_of, differences, *more):
+    """Asks about structures with the seeds from `--seed` on, with more options; prints what differs, and ends with an error if anything does."""
     counts, bad = {}, 0
     for k in range(chosen.seed, chosen.seed + chosen.count):
         s = structure_of(random.Random(k), f"s{k}", chosen.size)
         with tempfile.TemporaryDirectory() as folder:
-            answer = ask(chosen.slipproof, s.write(Path(folder)))
+            answer = ask(chosen.slipproof, s.write(Path(folder)), *more)
         found = [answer["failed"]] if "failed" in answer else differences(s, answer)
         said = f"can_rest {answer.get('can_rest')}, touching {answer.get('touching')}"
         counts[said] = counts.get(said, 0) + 1

@@ -13,6 +13,7 @@ import random_spatial
 import reader
 
 WITHIN = 1e-6
+EFFORT = "1000000000"  # not much: whether it must rest is not asked here
 
 
 def outside(told, status, value):
@@ -58,7 +59,8 @@ def main():
         except ImportError:
             print("needs Debian's python3-cvxopt")
             sys.exit(77)
-    asking.compare(chosen, random_spatial.structure, lambda s, answer: differences(s, answer, chosen.cvxopt))
+    asking.compare(chosen, random_spatial.structure, lambda s, answer: differences(s, answer, chosen.cvxopt),
+                   "--effort", EFFORT)
 
 
 main()
