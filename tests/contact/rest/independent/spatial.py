@@ -13,7 +13,7 @@ import random_spatial
 import reader
 
 WITHIN = 1e-6
-EFFORT = "1000000000"  # not much: whether it must rest is not asked here
+EFFORT = "200000000"  # not much: whether it must rest is not asked here
 
 
 def outside(told, status, value):
