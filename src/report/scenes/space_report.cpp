@@ -91,6 +91,8 @@ Json range_of(const Range& range) {
   return Json::array({to_json(range.lower), to_json(range.upper)});
 }
 
+}  // namespace
+
 Json motion_json(const Mechanism& m, const SpaceMotion& motion) {
   Json slips = Json::object(), accelerations = Json::object(), forces = Json::object();
   for (std::size_t i = 0; i < m.contacts.size(); ++i) {
@@ -113,8 +115,6 @@ Json motion_json(const Mechanism& m, const SpaceMotion& motion) {
           {"open_directions", motion.open_directions},
           {"status", motion.strict ? "strict" : "boundary"}};
 }
-
-}  // namespace
 
 Document space_document(const SolvedSpace& solved, int digits) {
   return SpaceText(solved, digits).whole();
