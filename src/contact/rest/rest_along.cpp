@@ -115,30 +115,34 @@ class ParameterSearch {
   }
 
   ProvedEnd between(Rational good, Rational bad) {
-    if (const auto exact = simple_end(good, bad)) return {*exact, *exact};
-    while (abs(Rational(good - bad)) > wanted() * std::max(abs(good), abs(bad))) {
+    if (is_end(good)) return {good, good};
+    while (true) {
+      const Rational gap = abs(Rational(good - bad));
+      const Rational size = std::max({abs(good), abs(bad), Rational(first_step() / 1000)});
+      if (gap <= size / 1000) {
+        const Rational simple = simplest_between(std::min(good, bad), std::max(good, bad));
+        if (is_end(simple)) return {simple, simple};
+        if (touches_) good = simple;
+      }
+      if (gap <= wanted() * size) break;
       const Rational middle = (good + bad) / 2;
       const auto there = can(middle);
       if (!there) break;
       (*there ? good : bad) = middle;
-      if (abs(Rational(good - bad)) > abs(good) / 1000) continue;
-      if (const auto exact = simple_end(good, bad)) return {*exact, *exact};
     }
     return {std::min(good, bad), std::max(good, bad)};
   }
 
-  /// The simplest number from bad to good, if it is the end of a coefficient of friction: it touches, and where the
-  /// motion that touches slips nothing may push with less friction, without which it cannot rest.
-  std::optional<Rational> simple_end(const Rational& good, const Rational& bad) {
-    if (!result_.monotone) return std::nullopt;
-    const Rational simple = simplest_between(bad, good);
-    if (tried_ && *tried_ == simple) return std::nullopt;
-    tried_ = simple;
-    const RestDecision decision = decide(simple);
-    if (!decision.touching || decision.can != true) return std::nullopt;
-    const std::vector<std::size_t> slipping = contacts_that_slip(simple, *decision.border);
-    if (slipping.empty() || decide(simple, slipping).can != false) return std::nullopt;
-    return simple;
+  /// Whether a value is the end of a coefficient of friction: there it only just rests, and where the motion at that
+  /// border slips nothing may push with less friction, without which it cannot rest.
+  bool is_end(const Rational& value) {
+    if (tried_ && *tried_ == value) return false;
+    tried_ = value;
+    const RestDecision decision = decide(value);
+    touches_ = decision.can == true && decision.touching;
+    if (!touches_ || !result_.monotone) return false;
+    const std::vector<std::size_t> slipping = contacts_that_slip(value, *decision.border);
+    return !slipping.empty() && decide(value, slipping).can == false;
   }
 
   std::vector<std::size_t> contacts_that_slip(const Rational& value, const VirtualMotion& motion) {
@@ -164,7 +168,8 @@ class ParameterSearch {
   RestParameter& result_;
   Effort& effort_;
   std::size_t& programs_;
-  std::optional<Rational> tried_;
+  std::optional<Rational> tried_;  ///< the last value that might be an end
+  bool touches_ = false;           ///< and whether it only just rests there
 };
 
 std::optional<Rational> value_of(const MechanismScene& scene, const std::string& name) {

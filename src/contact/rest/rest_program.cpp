@@ -133,11 +133,11 @@ SparseProgram RestProgram::extreme(const RestPush& push, const RestPush& unit, i
 namespace {
 
 /// Powers of two that bring the largest entry of each row, then of each column, near 1.
-struct Scales {
+struct ProgramScales {
   std::vector<double> rows, columns;
   double right_side = 1;
 
-  explicit Scales(const SparseProgram& program) : rows(program.rows(), 0), columns(program.columns.size(), 0) {
+  explicit ProgramScales(const SparseProgram& program) : rows(program.rows(), 0), columns(program.columns.size(), 0) {
     for (const ProgramColumn& column : program.columns) {
       for (const auto& [row, value] : column.entries) rows[row] = std::max(rows[row], std::abs(value.to_double()));
     }
@@ -167,7 +167,7 @@ struct Scales {
 std::optional<ProposedOptimum> proposed(const SparseProgram& program) {
 #ifdef SLIPPROOF_CLP
   constexpr double tolerance = 1e-9, infeasible = 1e-7;
-  const Scales scales(program);
+  const ProgramScales scales(program);
   std::vector<double> right_side;
   for (std::size_t i = 0; i < program.rows(); ++i) {
     right_side.push_back(nearest_binary64(program.right_side[i]) * scales.rows[i] * scales.right_side);
