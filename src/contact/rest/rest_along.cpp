@@ -90,7 +90,9 @@ class ParameterSearch {
   /// Nothing outside of the domain, or where it is undecided.
   std::optional<bool> can(const Rational& value) {
     try {
-      return decide(value).can;
+      const RestDecision decision = decide(value);
+      touches_ = decision.touching;
+      return decision.can;
     } catch (const std::invalid_argument&) {
     } catch (const InputError&) {
     }
@@ -121,13 +123,16 @@ class ParameterSearch {
       const Rational size = std::max({abs(good), abs(bad), Rational(first_step() / 1000)});
       if (gap <= size / 1000) {
         const Rational simple = simplest_between(std::min(good, bad), std::max(good, bad));
-        if (is_end(simple)) return {simple, simple};
-        if (touches_) good = simple;
+        if (tried_ != simple) {
+          if (is_end(simple)) return {simple, simple};
+          if (touches_) good = simple;
+        }
       }
       if (gap <= wanted() * size) break;
       const Rational middle = (good + bad) / 2;
       const auto there = can(middle);
       if (!there) break;
+      if (*there && touches_ && is_end(middle)) return {middle, middle};
       (*there ? good : bad) = middle;
     }
     return {std::min(good, bad), std::max(good, bad)};
@@ -136,7 +141,6 @@ class ParameterSearch {
   /// Whether a value is the end of a coefficient of friction: there it only just rests, and where the motion at that
   /// border slips nothing may push with less friction, without which it cannot rest.
   bool is_end(const Rational& value) {
-    if (tried_ && *tried_ == value) return false;
     tried_ = value;
     const RestDecision decision = decide(value);
     touches_ = decision.can == true && decision.touching;
@@ -169,7 +173,7 @@ class ParameterSearch {
   Effort& effort_;
   std::size_t& programs_;
   std::optional<Rational> tried_;  ///< the last value that might be an end
-  bool touches_ = false;           ///< and whether it only just rests there
+  bool touches_ = false;           ///< whether it only just rests at the last value
 };
 
 std::optional<Rational> value_of(const MechanismScene& scene, const std::string& name) {

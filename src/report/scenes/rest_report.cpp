@@ -36,7 +36,7 @@ std::string end_text(const ProvedEnd& end, int digits) {
 }
 
 std::string range_text(const std::optional<ProvedEnd>& from, const std::optional<ProvedEnd>& to, int digits) {
-  if (!from && !to) return "without end";
+  if (!from && !to) return "at every value";
   if (from && to && from->lower == to->upper) return "only at " + end_text(*from, digits);
   std::string text;
   if (from) text += "from " + end_text(*from, digits);

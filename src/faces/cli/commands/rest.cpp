@@ -1,5 +1,3 @@
-#include "contact/rest/rest.hpp"
-
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
@@ -8,6 +6,8 @@
 
 #include "base/input/diagnostic.hpp"
 #include "base/number/parse.hpp"
+#include "base/output/output_file.hpp"
+#include "contact/rest/rest_certificate.hpp"
 #include "faces/cli/command.hpp"
 #include "faces/cli/warnings.hpp"
 #include "report/scenes/rest_report.hpp"
@@ -18,7 +18,7 @@ namespace {
 
 struct RestArguments {
   CommonOptions common;
-  std::string scene, load, tilt, parameter;
+  std::string scene, load, tilt, parameter, certificate;
   std::vector<std::string> fail_on{"cannot-rest"};
   std::uint64_t effort = RestQuestions().effort;
   int digits = 6;
@@ -77,7 +77,16 @@ int answer(const RestArguments& arguments, bool tilts) {
   questions.parameter = arguments.parameter;
   questions.effort = arguments.effort;
   print_warnings(scene, arguments.common);
+  std::optional<OutputFile> certificate;
+  if (!arguments.certificate.empty()) {
+    certificate.emplace(arguments.certificate, Inputs{arguments.scene, scene.mechanism.file});
+  }
   const RestAnswer found = find_rest(std::move(scene), questions);
+  if (certificate) {
+    const std::string text = rest_certificate(found);
+    if (text.empty()) refuse(arguments, "nothing is proved about its rest, expected a proof for a certificate");
+    certificate->write(text);
+  }
   print_report(
       arguments.common, [&] { return rest_json(found); }, [&] { return rest_document(found, arguments.digits); });
   return exit_code_of(found, arguments.fail_on);
@@ -102,6 +111,8 @@ void add_rest(CLI::App& app, int& exit_code) {
                   "that it cannot), undecided, none, with commas")
       ->delimiter(',')
       ->check(CLI::IsMember({"cannot-rest", "touching", "can-move", "undecided", "none"}));
+  command.add_option("--certificate", options->certificate,
+                     "Write what is proved to this file, for slipproof-check-contact");
   command.add_option("--effort", options->effort, "Operations on words that each question may take")
       ->check(whole_number(1));
   add_digits_option(command, options->digits);
