@@ -71,7 +71,7 @@ bool is_zero(const Range& range) {
 }
 
 MustRest by_all_motions_in_plane(const MechanismScene& scene) {
-  constexpr double most_modes = 20'000;
+  constexpr double most_modes = 1e8;
   MustRest result;
   const std::vector<ElementKind> kinds = element_kinds(scene.mechanism, scene.values.starts, scene.values.given);
   if (mode_count(kinds) > most_modes) {

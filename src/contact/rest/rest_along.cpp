@@ -75,28 +75,28 @@ class ParameterSearch {
 
   Rational first_step() const { return result_.value.is_zero() ? Rational(1) : abs(result_.value) / 8; }
 
+  /// Undecided outside of the domain.
   RestDecision decide(const Rational& value, const std::vector<std::size_t>& without = {}) {
-    const MechanismScene there = with_values(scene_, {{result_.name, value}});
-    RestProblem problem = maker_.problem(there);
-    for (auto k = without.rbegin(); k != without.rend(); ++k) {
-      problem.contacts.erase(problem.contacts.begin() + static_cast<std::ptrdiff_t>(*k));
-    }
-    RestSolver solver(problem, effort_);
-    const RestDecision decision = solver.decide(push_at(problem, there.load ? *there.load : Rational(0)));
-    programs_ += solver.programs();
-    return decision;
-  }
-
-  /// Nothing outside of the domain, or where it is undecided.
-  std::optional<bool> can(const Rational& value) {
     try {
-      const RestDecision decision = decide(value);
-      touches_ = decision.touching;
-      return decision.can;
+      const MechanismScene there = with_values(scene_, {{result_.name, value}});
+      RestProblem problem = maker_.problem(there);
+      for (auto k = without.rbegin(); k != without.rend(); ++k) {
+        problem.contacts.erase(problem.contacts.begin() + static_cast<std::ptrdiff_t>(*k));
+      }
+      RestSolver solver(problem, effort_);
+      RestDecision decision = solver.decide(push_at(problem, there.load ? *there.load : Rational(0)));
+      programs_ += solver.programs();
+      return decision;
     } catch (const std::invalid_argument&) {
     } catch (const InputError&) {
     }
-    return std::nullopt;
+    return {};
+  }
+
+  std::optional<bool> can(const Rational& value) {
+    const RestDecision decision = decide(value);
+    touches_ = decision.touching;
+    return decision.can;
   }
 
   /// The first end in a direction: nothing if all places that are tried can rest, up to the domain's end.

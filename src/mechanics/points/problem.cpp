@@ -37,7 +37,7 @@ class ProblemForms {
 
 /// Forms have a coefficient for each unknown, and modes are many.
 void refuse_too_many_elements(const Mechanism& mechanism) {
-  constexpr std::size_t most = 64, most_in_space = 500;
+  constexpr std::size_t most = 64, most_in_space = 150;
   const std::size_t limit = mechanism.dimension == 2 ? most : most_in_space;
   if (mechanism.elements() <= limit) return;
   throw InputError({{mechanism.file, 0, 0,

@@ -162,9 +162,9 @@ class RestText {
   }
 
   void write_range() {
-    const auto fact = [&](const std::string& name, const std::string& text) {
-      document_.section("Up to where").paragraph(name + ": " + text);
-    };
+    if (!answer_.loads && !answer_.tilt && !answer_.parameter) return;
+    Document& section = document_.section("Up to where");
+    const auto fact = [&](const std::string& name, const std::string& text) { section.paragraph(name + ": " + text); };
     if (const auto& loads = answer_.loads) {
       fact(m_.load->symbol, loads->none       ? "it rests at no value"
                             : !loads->decided ? "no end was found"
