@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "contact/rest/rest.hpp"
+#include "contact/rest/rest_answer.hpp"
 
 namespace slipproof {
 

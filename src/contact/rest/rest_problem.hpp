@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/algebra/sparse_basis.hpp"
+#include "base/algebra/sparse/sparse_basis.hpp"
 #include "mechanics/scene/scene.hpp"
 
 namespace slipproof {

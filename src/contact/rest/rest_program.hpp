@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/algebra/sparse_program.hpp"
+#include "base/algebra/sparse/sparse_program.hpp"
 #include "contact/rest/rest_problem.hpp"
 
 namespace slipproof {

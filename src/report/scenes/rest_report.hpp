@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "contact/rest/rest.hpp"
+#include "contact/rest/rest_answer.hpp"
 #include "report/document/document.hpp"
 
 namespace slipproof {

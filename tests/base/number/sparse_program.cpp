@@ -1,5 +1,5 @@
 // Sparse linear programs against the dense ones.
-#include "base/algebra/sparse_program.hpp"
+#include "base/algebra/sparse/sparse_program.hpp"
 
 #include <doctest/doctest.h>
 

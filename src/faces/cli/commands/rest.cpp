@@ -1,6 +1,9 @@
+#include "contact/rest/rest.hpp"
+
 #include <algorithm>
+#include <array>
 #include <memory>
-#include <stdexcept>
+#include <optional>
 #include <string>
 #include <vector>
 

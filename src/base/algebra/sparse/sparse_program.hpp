@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "base/algebra/sparse_basis.hpp"
+#include "base/algebra/sparse/sparse_basis.hpp"
 
 namespace slipproof {
 

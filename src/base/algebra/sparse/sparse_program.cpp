@@ -1,4 +1,4 @@
-#include "base/algebra/sparse_program.hpp"
+#include "base/algebra/sparse/sparse_program.hpp"
 
 #include <algorithm>
 #include <optional>

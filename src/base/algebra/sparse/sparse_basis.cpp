@@ -1,4 +1,4 @@
-#include "base/algebra/sparse_basis.hpp"
+#include "base/algebra/sparse/sparse_basis.hpp"
 
 #include <algorithm>
 #include <limits>
