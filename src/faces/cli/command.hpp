@@ -93,6 +93,7 @@ std::filesystem::path claims_path(const std::string& argument);
 /// Each function adds its subcommand; running the subcommand sets the exit code.
 void add_exchange(CLI::App& app, int& exit_code);  ///< import and export
 void add_solve(CLI::App& app, int& exit_code);
+void add_rest(CLI::App& app, int& exit_code);
 void add_show(CLI::App& app, int& exit_code);
 void add_expect(CLI::App& app, int& exit_code);
 void add_critical(CLI::App& app, int& exit_code);

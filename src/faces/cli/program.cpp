@@ -82,6 +82,7 @@ int run_command(int argc, char** argv) {
   app.footer(exit_codes_text());
   int exit_code = success;
   add_solve(app, exit_code);
+  add_rest(app, exit_code);
   add_show(app, exit_code);
   add_expect(app, exit_code);
   add_exchange(app, exit_code);

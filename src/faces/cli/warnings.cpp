@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/input/diagnostic.hpp"
 #include "mechanics/checks/checks.hpp"
 
 namespace slipproof::cli {
@@ -29,9 +30,13 @@ void print_warnings(const Mechanism& mechanism, const CommonOptions& common) {
 
 void print_warnings(const MechanismScene& scene, const CommonOptions& common) {
   if (common.quiet || scene.mechanism.shipped) return;
-  std::vector<MechanismFinding> findings = check_mechanism(scene.mechanism);
-  std::ranges::move(check_numbers(scene), std::back_inserter(findings));
-  print_findings(scene.mechanism, findings);
+  try {
+    std::vector<MechanismFinding> findings = check_mechanism(scene.mechanism);
+    std::ranges::move(check_numbers(scene), std::back_inserter(findings));
+    print_findings(scene.mechanism, findings);
+  } catch (const InputError&) {
+    return;  // too many elements for motions, by which most is checked
+  }
 }
 
 void print_warnings(const ClaimsFile& claims, const CommonOptions& common) {

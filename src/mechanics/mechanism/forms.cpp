@@ -50,6 +50,7 @@ class FormsOfMechanism {
       friction.kinetic_form = form(friction.kinetic_limit, "limit");
     }
     for (MechanismLink& link : mechanism_.links) link.form = motion_form(link.zero, "zero");
+    if (mechanism_.by_virtual_work) find_work();
     for (std::size_t i = 0; i < mechanism_.equations.size(); ++i) derive_equation(i);
     derive_energy();
   }
@@ -138,7 +139,9 @@ class FormsOfMechanism {
   }
 
   SymbolicForm difference(const SymbolicForm& x, const SymbolicForm& y) const {
+    const Expression zero = zero_literal();
     const auto minus = [&](const Expression& a, const Expression& b) {
+      if (a == zero && b == zero) return zero;  // most of them
       return difference_of(a, b, [this](const Expression& e) { return extraction_.divides_by_nothing(e); });
     };
     SymbolicForm result{{}, minus(x.load, y.load), minus(x.constant, y.constant)};
@@ -148,11 +151,14 @@ class FormsOfMechanism {
     return result;
   }
 
-  /// What the forces of contacts, friction elements and links do along an acceleration; null if nothing.
-  Expression contact_forces(std::size_t acceleration) const {
-    Expression sum = zero_literal();
+  /// The forces of contacts, friction elements and links that work along each acceleration, with what they are
+  /// multiplied by.
+  void find_work() {
+    work_.resize(mechanism_.equations.size());
     const auto add = [&](const SymbolicForm& motion, std::size_t force) {
-      sum = sum_of(sum, product_of(motion.coefficients[acceleration], make_symbol(mechanism_.unknowns[force].symbol)));
+      for (std::size_t i = 0; i < std::min(work_.size(), motion.coefficients.size()); ++i) {
+        if (!is_literal_zero(motion.coefficients[i])) work_[i].emplace_back(motion.coefficients[i], force);
+      }
     };
     for (const MechanismContact& contact : mechanism_.contacts) {
       add(contact.gap_form, contact.normal);
@@ -161,9 +167,18 @@ class FormsOfMechanism {
     }
     for (const MechanismFriction& friction : mechanism_.friction) add(friction.slip_form, friction.force);
     for (const MechanismLink& link : mechanism_.links) add(link.form, link.force);
+  }
+
+  /// What they do along an acceleration; null if nothing.
+  Expression contact_forces(std::size_t acceleration) const {
+    Expression sum = zero_literal();
+    for (const auto& [factor, force] : work_[acceleration]) {
+      sum = sum_of(sum, product_of(factor, make_symbol(mechanism_.unknowns[force].symbol)));
+    }
     return is_literal_zero(sum) ? nullptr : sum;
   }
 
+  std::vector<std::vector<std::pair<Expression, std::size_t>>> work_;
   Mechanism& mechanism_;
   Mistakes& mistakes_;
   Extraction extraction_;

@@ -35,6 +35,17 @@ class ProblemForms {
   RowForms<Rational, FieldOf<Rational>> rows_;
 };
 
+/// Forms have a coefficient for each unknown, and modes are many.
+void refuse_too_many_elements(const Mechanism& mechanism) {
+  constexpr std::size_t most = 64, most_in_space = 150;
+  const std::size_t limit = mechanism.dimension == 2 ? most : most_in_space;
+  if (mechanism.elements() <= limit) return;
+  throw InputError({{mechanism.file, 0, 0,
+                     fmt::format("found {} contacts and friction elements, expected at most {} where motions are asked "
+                                 "for: `slipproof rest` takes more",
+                                 mechanism.elements(), limit)}});
+}
+
 }  // namespace
 
 MechanismValues default_values(const Mechanism& mechanism) {
@@ -53,6 +64,7 @@ Evaluator<Rational> ProblemMaker::at(const MechanismValues& values) const {
 }
 
 FrictionProblem ProblemMaker::problem(const MechanismValues& values) const {
+  refuse_too_many_elements(*mechanism_);
   Evaluator<Rational> evaluator = at(values);
   ProblemForms forms(*mechanism_, evaluator);
   FrictionProblem problem;

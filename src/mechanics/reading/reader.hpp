@@ -51,10 +51,10 @@ class Context {
 };
 
 /// No file has more of anything: the work of reading one is bounded.
-inline constexpr std::size_t max_symbols = 1'000, max_unknowns = 64, max_elements = 64, max_bodies = 32,
-                             max_shapes = 1'000;
-/// In space, where no mode is tried by itself.
-inline constexpr std::size_t max_elements_in_space = 500, max_bodies_in_space = 250;
+inline constexpr std::size_t max_symbols = 1'000, max_unknowns = 64, max_elements = 64, max_shapes = 1'000;
+/// Of scenes by bodies: for `rest`, which tries no modes, and in space, where none is tried by itself. In the plane
+/// ProblemMaker refuses more than max_elements where motions are asked for.
+inline constexpr std::size_t max_scene_elements = 2'000, max_scene_bodies = 600;
 /// Returns whether count <= limit; otherwise reports it.
 bool within(std::size_t count, std::size_t limit, std::string_view key, Place place, Mistakes& mistakes);
 

@@ -165,6 +165,8 @@ class MechanismSceneReader {
       maker.problem(scene_.values);
     } catch (const NoValue& error) {
       mistakes_.add(values.place, std::string("values: ") + error.what());
+    } catch (const InputError&) {
+      return;  // too many elements for motions: what takes more finds what has no value
     }
   }
 

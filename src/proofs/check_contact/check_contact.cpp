@@ -15,6 +15,8 @@ std::string claim(const Problem& problem, Reader& reader, const char* expected) 
   if (reader.accept("eps")) return eps(problem, reader);
   if (reader.accept("none-within")) return none_within(problem, reader);
   if (reader.accept("no-solution")) return no_solution(problem, reader);
+  if (reader.accept("rest")) return rest(problem, reader);
+  if (reader.accept("no-rest")) return no_rest(problem, reader);
   if (reader.accept("enclosure")) return near_answer<Enclosure>(problem, reader);
   if (reader.accept("ball")) return near_answer<Ball>(problem, reader);
   if (reader.accept("unique")) return unique(problem, reader);

@@ -92,6 +92,18 @@ inline std::string none_within(const Problem& problem, Reader& reader) {
   throw Rejected("every row and every contact may hold within RHO");
 }
 
+/// g . x <= 0 for all x that are 0 in the first components, any number in the other free ones, and in the cones.
+inline void check_falls(const Problem& problem, const Vector& g, std::size_t zeros) {
+  for (std::size_t j = zeros; j < problem.free; ++j) require(g[j].sign() == 0, "column", j, "g is not 0");
+  for (std::size_t k = 0; k < problem.contacts(); ++k) {
+    const std::size_t normal = problem.normal(k);
+    require(g[normal].sign() <= 0, "contact", k, "g_N is positive");
+    Number tangential;
+    for (std::size_t j = normal + 1; j < normal + problem.dimension; ++j) tangential += square(g[j]);
+    require(square(problem.mu[k]) * tangential <= square(g[normal]), "contact", k, "m |g_T| exceeds |g_N|");
+  }
+}
+
 inline std::string no_solution(const Problem& problem, Reader& reader) {
   const Vector y = reader.numbers("multipliers", problem.size());
   problem.require_coulomb();
@@ -106,16 +118,43 @@ inline std::string no_solution(const Problem& problem, Reader& reader) {
     for (const auto& [j, a] : problem.A[i]) g[j] += a * y[i];
     work += y[i] * problem.c[i];
   }
-  for (std::size_t j = 0; j < problem.free; ++j) require(g[j].sign() == 0, "column", j, "g is not 0");
-  for (std::size_t k = 0; k < problem.contacts(); ++k) {
-    const std::size_t normal = problem.normal(k);
-    require(g[normal].sign() <= 0, "contact", k, "g_N is positive");
-    Number tangential;
-    for (std::size_t j = normal + 1; j < normal + problem.dimension; ++j) tangential += square(g[j]);
-    require(square(problem.mu[k]) * tangential <= square(g[normal]), "contact", k, "m |g_T| exceeds |g_N|");
-  }
+  check_falls(problem, g, 0);
   require(work.sign() < 0, "c . y is not negative");
   return "no solution";
+}
+
+/// The first V unknowns are accelerations, which are 0 at rest; A x + c of the others is 0 where it balances.
+inline std::string rest(const Problem& problem, Reader& reader) {
+  const std::size_t accelerations = reader.index(problem.free + 1);
+  Vector x(accelerations);
+  for (Number& force : reader.numbers("forces", problem.size() - accelerations)) x.push_back(std::move(force));
+  problem.require_coulomb();
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    require(problem.motion(i, x).sign() == 0, "row", i, "it does not vanish at rest");
+  }
+  for (std::size_t k = 0; k < problem.contacts(); ++k) {
+    const std::size_t normal = problem.normal(k);
+    require(x[normal].sign() >= 0, "contact", k, "r_N is negative");
+    Number tangential;
+    for (std::size_t j = normal + 1; j < normal + problem.dimension; ++j) tangential += square(x[j]);
+    require(tangential <= square(problem.mu[k] * x[normal]), "contact", k, "|r_T| exceeds m r_N");
+  }
+  return "it can rest";
+}
+
+inline std::string no_rest(const Problem& problem, Reader& reader) {
+  const std::size_t accelerations = reader.index(problem.free + 1);
+  const Vector y = reader.numbers("multipliers", accelerations);
+  problem.require_coulomb();
+  Vector g(problem.size());
+  Number work;
+  for (std::size_t i = 0; i < accelerations; ++i) {
+    for (const auto& [j, a] : problem.A[i]) g[j] += a * y[i];
+    work += y[i] * problem.c[i];
+  }
+  check_falls(problem, g, accelerations);
+  require(work.sign() < 0, "c . y is not negative");
+  return "it cannot rest";
 }
 
 /// d > 0 and a_ii d_i > the sum of the other |a_ij| d_j, which says that a_ii > 0.

@@ -133,6 +133,8 @@ Json numbers_json(const Mechanism& m, const SpaceMotion& motion) {
           {"forces", std::move(forces)}};
 }
 
+}  // namespace
+
 Json motion_json(const Mechanism& m, const SpaceMotion& motion) {
   Json result = numbers_json(m, motion);
   result["exists"] = motion.exists;
@@ -147,8 +149,6 @@ Json motion_json(const Mechanism& m, const SpaceMotion& motion) {
   result["status"] = motion.strict ? "strict" : "boundary";
   return result;
 }
-
-}  // namespace
 
 Document space_document(const SolvedSpace& solved, int digits) {
   return SpaceText(solved, digits).whole();

@@ -53,7 +53,10 @@ ColumnProgram::ColumnProgram(const std::vector<double>& right_side, const std::v
 void ColumnProgram::begin_with_slacks() {
   ClpSimplex& simplex = clp_->simplex;
   simplex.createStatus();
-  for (int i = 0; i < simplex.numberColumns(); ++i) simplex.setColumnStatus(i, ClpSimplex::atLowerBound);
+  for (int i = 0; i < simplex.numberColumns(); ++i) {
+    const bool is_free = simplex.columnLower()[i] == -COIN_DBL_MAX;
+    simplex.setColumnStatus(i, is_free ? ClpSimplex::isFree : ClpSimplex::atLowerBound);
+  }
   for (int row = 0; row < static_cast<int>(rows_); ++row) {
     const double right_side = simplex.rowUpper()[row];
     const bool is_free = right_side == COIN_DBL_MAX;
@@ -71,6 +74,16 @@ bool ColumnProgram::solve(double tolerance) {
   if (simplex.primal(0, 0) == 0) return true;
   begin_with_slacks();
   return simplex.primal(0, 0) == 0;
+}
+
+void ColumnProgram::make_free(std::size_t column) {
+  const int i = static_cast<int>(2 * rows_ + column);
+  clp_->simplex.setColumnBounds(i, -COIN_DBL_MAX, COIN_DBL_MAX);
+  clp_->simplex.setColumnStatus(i, ClpSimplex::isFree);
+}
+
+void ColumnProgram::allow_pivots(int most) {
+  clp_->simplex.setMaximumIterations(most);
 }
 
 void ColumnProgram::set_cost(std::size_t column, double cost) {
@@ -94,6 +107,10 @@ double ColumnProgram::value(std::size_t column) const {
   return clp_->simplex.getColSolution()[2 * rows_ + column];
 }
 
+bool ColumnProgram::is_basic(std::size_t column) const {
+  return clp_->simplex.getColumnStatus(static_cast<int>(2 * rows_ + column)) == ClpSimplex::basic;
+}
+
 double ColumnProgram::price(std::size_t row) const {
   return clp_->simplex.getRowPrice()[row];
 }
@@ -115,6 +132,11 @@ ColumnProgram::ColumnProgram(const std::vector<double>& right_side, const std::v
 }
 
 bool ColumnProgram::solve(double) {
+  return false;
+}
+void ColumnProgram::make_free(std::size_t) {}
+void ColumnProgram::allow_pivots(int) {}
+bool ColumnProgram::is_basic(std::size_t) const {
   return false;
 }
 void ColumnProgram::set_cost(std::size_t, double) {}

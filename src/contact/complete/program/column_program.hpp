@@ -24,6 +24,10 @@ class ColumnProgram {
   ColumnProgram(const ColumnProgram&) = delete;
   ColumnProgram& operator=(const ColumnProgram&) = delete;
 
+  /// Of any sign from here on. Before the first solve().
+  void make_free(std::size_t column);
+  /// In place of the usual limit.
+  void allow_pivots(int most);
   /// From where the last one ended. False where it has no optimum, or was given up.
   bool solve(double tolerance);
   void set_cost(std::size_t column, double cost);
@@ -33,6 +37,7 @@ class ColumnProgram {
   double least() const;  ///< of the costs
   double value(std::size_t column) const;
   double price(std::size_t row) const;  ///< the multiplier of a row
+  bool is_basic(std::size_t column) const;
 
  private:
   void begin_with_slacks();

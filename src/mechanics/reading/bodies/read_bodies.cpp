@@ -33,9 +33,8 @@ class BodySceneReader : public BodyParts {
   }
 
   void read_forces(const TableReader& root) {
-    const std::size_t limit = in_space() ? max_elements_in_space : max_elements;
-    for (const TomlValue* force : tables(root, "force", limit)) read_force(*force);
-    for (const TomlValue* torque : tables(root, "torque", limit)) read_torque(*torque);
+    for (const TomlValue* force : tables(root, "force", max_scene_elements)) read_force(*force);
+    for (const TomlValue* torque : tables(root, "torque", max_scene_elements)) read_torque(*torque);
   }
 
   /// A body that nothing touches or joins falls out of the picture.

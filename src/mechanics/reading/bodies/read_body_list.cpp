@@ -20,7 +20,7 @@ class BodyListReader : public BodyParts {
     still.name = "ground";
     bodies_.bodies.push_back(std::move(still));
     bodies_.dimension = mechanism_.dimension;
-    const auto found = tables(root, "body", in_space() ? max_bodies_in_space : max_bodies);
+    const auto found = tables(root, "body", max_scene_bodies);
     std::size_t moving = 0;
     for (const TomlValue* body : found) moving += body->find("mass") != nullptr ? 1 : 0;
     for (const TomlValue* body : found) read_body(*body, moving == 1);

@@ -13,8 +13,7 @@ class BodyContactReader : public BodyParts {
   using BodyParts::BodyParts;
 
   void read_contacts(const TableReader& root) {
-    for (const TomlValue* contact : tables(root, "contact", in_space() ? max_elements_in_space : max_elements))
-      read_contact(*contact);
+    for (const TomlValue* contact : tables(root, "contact", max_scene_elements)) read_contact(*contact);
   }
   void read_frictions(const TableReader& root) {
     if (in_space() && root.has("friction")) {

@@ -16,8 +16,7 @@ class JointReader : public BodyParts {
   using BodyParts::BodyParts;
 
   void read(const TableReader& root) {
-    for (const TomlValue* joint : tables(root, "joint", in_space() ? max_elements_in_space : max_elements))
-      read_joint(*joint);
+    for (const TomlValue* joint : tables(root, "joint", max_scene_elements)) read_joint(*joint);
   }
 
   void add_links(BodyJoint& joint) {

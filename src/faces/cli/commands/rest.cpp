@@ -1,0 +1,126 @@
+#include "contact/rest/rest.hpp"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/input/diagnostic.hpp"
+#include "base/number/parse.hpp"
+#include "base/output/output_file.hpp"
+#include "contact/rest/rest_certificate.hpp"
+#include "faces/cli/command.hpp"
+#include "faces/cli/warnings.hpp"
+#include "report/scenes/rest_report.hpp"
+
+namespace slipproof::cli {
+
+namespace {
+
+struct RestArguments {
+  CommonOptions common;
+  std::string scene, load, tilt, parameter, certificate;
+  std::vector<std::string> fail_on{"cannot-rest"};
+  std::uint64_t effort = RestQuestions().effort;
+  int digits = 6;
+};
+
+[[noreturn]] void refuse(const RestArguments& arguments, const std::string& message) {
+  throw InputError({{arguments.scene, 0, 0, message}});
+}
+
+Rational number_of(const std::string& option, const std::string& text) {
+  try {
+    return parse_rational(text);
+  } catch (const NumberError& error) {
+    throw CLI::ValidationError(option, error.what());
+  }
+}
+
+/// `x,y,z`; nothing: z, the axis of the plane.
+std::array<Rational, 3> axis_of(const std::string& text) {
+  if (text.empty()) return {0, 0, 1};
+  std::vector<std::string> parts{""};
+  for (const char c : text) {
+    if (c == ',') {
+      parts.emplace_back();
+    } else {
+      parts.back().push_back(c);
+    }
+  }
+  if (parts.size() != 3) throw CLI::ValidationError("--tilt", "found " + text + ", expected an axis x,y,z");
+  return {number_of("--tilt", parts[0]), number_of("--tilt", parts[1]), number_of("--tilt", parts[2])};
+}
+
+int exit_code_of(const RestAnswer& answer, const std::vector<std::string>& fail_on) {
+  const auto fails = [&](const char* word) { return std::ranges::find(fail_on, word) != fail_on.end(); };
+  const std::optional<bool> can = answer.decision.can;
+  if (can == false && fails("cannot-rest")) return refuted_or_not_certified;
+  if (answer.decision.touching && fails("touching")) return refuted_or_not_certified;
+  if (can == true && answer.must.must != true && fails("can-move")) return refuted_or_not_certified;
+  if (!can) return fails("undecided") ? refuted_or_not_certified : undecided;
+  return success;
+}
+
+int answer(const RestArguments& arguments, bool tilts) {
+  MechanismScene scene = read_scene(arguments.scene, Dimensions::any);
+  if (!arguments.load.empty()) {
+    if (!scene.mechanism.load) refuse(arguments, "the scene has no load, expected no --load");
+    scene.load = number_of("--load", arguments.load);
+  }
+  RestQuestions questions;
+  if (tilts) {
+    if (arguments.tilt.empty() && scene.mechanism.dimension == 3) {
+      throw CLI::ValidationError("--tilt", "found no axis, expected one as x,y,z in space");
+    }
+    questions.tilt = axis_of(arguments.tilt);
+  }
+  questions.parameter = arguments.parameter;
+  questions.effort = arguments.effort;
+  print_warnings(scene, arguments.common);
+  std::optional<OutputFile> certificate;
+  if (!arguments.certificate.empty()) {
+    certificate.emplace(arguments.certificate, Inputs{arguments.scene, scene.mechanism.file});
+  }
+  const RestAnswer found = find_rest(std::move(scene), questions);
+  if (certificate) {
+    const std::string text = rest_certificate(found);
+    if (text.empty()) refuse(arguments, "nothing is proved about its rest, expected a proof for a certificate");
+    certificate->write(text);
+  }
+  print_report(
+      arguments.common, [&] { return rest_json(found); }, [&] { return rest_document(found, arguments.digits); });
+  return exit_code_of(found, arguments.fail_on);
+}
+
+}  // namespace
+
+void add_rest(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<RestArguments>();
+  CLI::App& command = *app.add_subcommand("rest", "Find whether a scene can rest, whether it must, and up to where");
+  command.add_option("SCENE", options->scene, "Scene file (TOML), in the plane or in space")->required();
+  command.add_option("--load", options->load, "A value of the load, in place of the scene's");
+  CLI::Option* tilt = command
+                          .add_option("--tilt", options->tilt,
+                                      "Find the greatest angle by which gravity can turn about an axis x,y,z, by the "
+                                      "right\nhand; in the plane the axis is left out")
+                          ->expected(0, 1);
+  command.add_option("--parameter", options->parameter, "Find the values of a parameter at which it can rest");
+  command
+      .add_option("--fail-on", options->fail_on,
+                  "What ends with exit code 1: some of cannot-rest (the default), touching,\ncan-move (or not proved "
+                  "that it cannot), undecided, none, with commas")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"cannot-rest", "touching", "can-move", "undecided", "none"}));
+  command.add_option("--certificate", options->certificate,
+                     "Write what is proved to this file, for slipproof-check-contact");
+  command.add_option("--effort", options->effort, "Operations on words that each question may take")
+      ->check(whole_number(1));
+  add_digits_option(command, options->digits);
+  add_report_options(command, options->common);
+  command.callback([options, tilt, &exit_code] { exit_code = answer(*options, tilt->count() > 0); });
+}
+
+}  // namespace slipproof::cli
