@@ -105,6 +105,14 @@ TEST_CASE("a range that is wider than the tolerance gives no verdict") {
   const auto line = judged_sledge("0.5,30,6,8,0,0,0,0,20,-6,-8", 0);
   CHECK(line["verdict"] == "undecided");
   CHECK(line["reason"].get<std::string>().find("wider than the tolerance") != std::string::npos);
+  for (const std::size_t end : {0U, 1U}) {  // an end of each range: the motion may be at the other
+    std::string answer = "0.5,30";
+    for (const char* name : {"ax", "ay", "az", "alphax", "alphay", "alphaz"}) {
+      answer += "," + line["found"][0]["accelerations"][name][end].get<std::string>();
+    }
+    CHECK(judged_sledge(answer + ",,,", 0)["verdict"] == "undecided");
+    CHECK(judged_sledge(answer + ",,,")["verdict"] == "certified");
+  }
 }
 
 TEST_CASE("forces that a motion leaves open are right if the law allows some near them") {
@@ -150,6 +158,17 @@ TEST_CASE("one motion of a continuum is ambiguous, and one that is not known is 
   const auto far = judged_shipped("cube-pushed-obliquely", header, other);
   CHECK(far["verdict"] == "undecided");
   CHECK(far["reason"] == "it may be another motion of a continuum");
+}
+
+TEST_CASE("beside a motion others may be: it is right, they are not excluded, and what is far from all is wrong") {
+  const std::string header = "ax,ay,az,alphax,alphay,alphaz", name = "box-on-slope-pulled-sideways";
+  const SolvedSpace box = shipped_in_space(name);
+  REQUIRE(box.motions.front().others_within.value_or(0) > 0);
+  const auto right = judged_shipped(name, header, "981/6500,2943/26000,0,0,0,0");
+  CHECK(right["verdict"] == "certified");
+  CHECK(right["others"] == "not excluded");
+  CHECK(judged_shipped(name, header, "0.151,0.1132,0,0,0,0")["verdict"] == "undecided");
+  CHECK(judged_shipped(name, header, "5,5,0,0,0,0")["verdict"] == "wrong");
 }
 
 TEST_CASE("a record in space claims no mode, and the motions at a point are found once") {
