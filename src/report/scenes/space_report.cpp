@@ -32,6 +32,7 @@ class SpaceText {
                                          : ", and it is proved that there is no other";
     }
     Document& section = document_.section(heading);
+    if (m_.contacts.size() > 1) section.line("modes are those of " + contact_names());
     for (const SpaceMotion& motion : solved_.motions) write(section, motion);
     if (!solved_.complete()) write_undecided();
     document_.status(fmt::format("s {} motions {} undecided {}", solved_.complete() ? "COMPLETE" : "UNDECIDED",
@@ -40,13 +41,22 @@ class SpaceText {
   }
 
  private:
+  std::string contact_names() const {
+    std::string names;
+    for (const MechanismContact& contact : m_.contacts) names += (names.empty() ? "" : "/") + contact.name;
+    return names;
+  }
+
   bool are_near() const {
     return std::ranges::any_of(solved_.motions, [](const SpaceMotion& m) { return m.others_within.has_value(); });
   }
 
+  /// What both ends say in these digits goes on with `...`: JSON has the ends.
   std::string text_of(const Range& range) const {
     if (!range.lower || !range.upper) return "unbounded";
     if (range.is_point()) return number_text(*range.lower, digits_);
+    const std::string about = decimal_text(*range.lower, digits_);
+    if (about == decimal_text(*range.upper, digits_)) return about + "...";
     return "in [" + decimal_text(*range.lower, digits_ + 6) + ", " + decimal_text(*range.upper, digits_ + 6) + "]";
   }
 
@@ -161,6 +171,8 @@ std::string space_json(const SolvedSpace& solved) {
   document["load"] = nullptr;
   if (m.load) document["load"] = {{"symbol", m.load->symbol}, {"value", to_json(solved.scene.load)}};
   document["notes"] = solved.scene.notes;
+  document["contacts"] = Json::array();
+  for (const MechanismContact& contact : m.contacts) document["contacts"].push_back(contact.name);
   document["complete"] = solved.complete();
   document["motions"] = Json::array();
   for (const SpaceMotion& motion : solved.motions) document["motions"].push_back(motion_json(m, motion));

@@ -48,6 +48,7 @@ std::string heading_of(const SpaceMotion& motion) {
 }
 
 std::string counted_motions(const SolvedSpace& solved) {
+  if (solved.motions.empty() && !solved.complete()) return "no motion found, and there may be some";
   const auto continua = static_cast<std::size_t>(std::ranges::count_if(solved.motions, &SpaceMotion::is_continuum));
   const std::size_t others = solved.motions.size() - continua;
   std::vector<std::string> words;
