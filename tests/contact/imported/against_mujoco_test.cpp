@@ -333,7 +333,6 @@ TEST_CASE("meshes and cylinders on planes touch at MuJoCo's points with its rows
   };
   const std::string wedge = "type=\"mesh\" mesh=\"wedge\"", top = "type=\"mesh\" mesh=\"top\"",
                     cylinder = "type=\"cylinder\" size=\"0.25 0.5\"";
-  CHECK(compare_text(scene(free("lies", "0 0 0.25", "euler=\"90 0 0\" " + cylinder), ""), "") == 2);
   CHECK(compare_text(scene(free("stands", "0 0 0.5", cylinder), ""), "") >= 1);  // of three points at 120 degrees
   CHECK(compare_text(scene(free("slab", "0 0 0.05", wedge), ""), "") >= 3);
   CHECK(compare_text(scene(free("peg", "0 0 0.3", top), ""), "") == 1);
