@@ -75,10 +75,11 @@ TEST_CASE("in space the freedoms that are left are named, and what a slider with
       "at = [\"0\", \"0\", \"0\"]\naxis = [\"1\", \"0\", \"0\"]\nfriction = \"1\"\n[[torque]]";
   const auto refused = messages(replaced(leg, "[[torque]]", rail));
   REQUIRE(refused.size() == 3);
-  CHECK(refused[0].ends_with("missing length: expected the distance of its two guides"));
+  CHECK(refused[0].ends_with("missing length in [[joint]], expected the distance of its two guides"));
+  CHECK(refused[1].ends_with(
+      "missing normal in [[joint]], expected the normal of the rail, out of the first body, across the axis"));
   CHECK(
-      refused[1].ends_with("missing normal: expected the normal of the rail, out of the first body, across the axis"));
-  CHECK(refused[2].ends_with("missing width: expected the distance of the feet on both sides of the rail"));
+      refused[2].ends_with("missing width in [[joint]], expected the distance of the feet on both sides of the rail"));
   const std::string by_vector = replaced(leg, "knee.rate = \"q\"", "shin.spin = [\"-q*s1\", \"q*c1\", \"p\"]");
   test::check_same_mechanism(parse_mechanism(by_vector, "leg.toml"), parse_mechanism(leg, "leg.toml"));
 }
