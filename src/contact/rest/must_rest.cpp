@@ -107,7 +107,8 @@ MustRest by_all_motions_in_space(const MechanismScene& scene, Effort& effort) {
     return result;
   }
   CompleteOptions options;
-  options.effort = std::min<Work>(options.effort, effort.left());
+  constexpr Work most_effort = 2'000'000'000;  // a few seconds: what takes longer seldom ends
+  options.effort = std::min(most_effort, effort.left());
   try {
     result.space = std::make_shared<SolvedSpace>(solve_space(scene, options));
   } catch (const InputError&) {

@@ -27,8 +27,10 @@ bool is_only_friction(const Mechanism& m, const std::string& name) {
   const auto form_free = [&](const SymbolicForm& form) {
     return free_of(form.load) && free_of(form.constant) && std::ranges::all_of(form.coefficients, free_of);
   };
+  bool rubs = false;
   for (const MechanismContact& c : m.contacts) {
     for (const PlacedExpression* friction : {&c.static_friction, &c.kinetic_friction}) {
+      rubs = rubs || (*friction && is_symbol(friction->expression, name));
       if (*friction && !is_symbol(friction->expression, name) && !free_of(friction->expression)) return false;
     }
     if (!form_free(c.gap_form) || !form_free(c.slip_form) || (c.second && !form_free(c.second->form))) return false;
@@ -36,7 +38,8 @@ bool is_only_friction(const Mechanism& m, const std::string& name) {
   const auto all_free = [&](const auto& items) {
     return std::ranges::all_of(items, [&](const auto& item) { return form_free(item.form); });
   };
-  return all_free(m.equations) && all_free(m.links) && std::ranges::all_of(m.friction, [&](const MechanismFriction& f) {
+  return rubs && all_free(m.equations) && all_free(m.links) &&
+         std::ranges::all_of(m.friction, [&](const MechanismFriction& f) {
            return form_free(f.slip_form) && form_free(f.static_form);
          });
 }

@@ -92,6 +92,9 @@ RestTilt rest_under_tilt(const MechanismScene& scene, const RestProblemMaker& ma
     throw InputError({{m.file, place.line, place.column, message}});
   };
   if (!m.bodies) refuse({}, m.name + ": found a mechanism given by its equations, expected bodies, whose weights tilt");
+  if (m.dimension == 2 && (!axis[0].is_zero() || !axis[1].is_zero())) {
+    refuse({}, m.name + ": found an axis of tilt in the plane of the scene, expected 0,0,1 or 0,0,-1 across it");
+  }
   Weights weights(scene, maker);
   const Vector3 gravity = weights.gravity();
   if (!dot3(gravity, axis).is_zero() || dot3(axis, axis).is_zero() || dot3(gravity, gravity).is_zero()) {

@@ -109,6 +109,15 @@ TEST_CASE("the greatest push on a cube in space") {
   CHECK(along.loads->to->lower <= 5);
   CHECK(along.loads->to->upper >= 5);
   CHECK(along.loads->to->upper - along.loads->to->lower <= Rational(1, 1'000'000));
+  MechanismScene pushed = space_scene(cube_in_space("1/2", R"("F", "0", "0")"));
+  pushed.load = 1;
+  RestQuestions outwards;
+  outwards.parameter = "F";  // searched as any parameter, it ends at the same place
+  const RestAnswer searched = find_rest(pushed, outwards);
+  CHECK_FALSE(searched.parameter->monotone);
+  REQUIRE(searched.parameter->to);
+  CHECK(searched.parameter->to->lower <= 5);
+  CHECK(searched.parameter->to->upper >= 5);
   // Along the diagonal: (F, F) has the length 5 where F^2 = 25/2.
   const RestAnswer diagonal = find_rest(space_scene(cube_in_space("1/2", R"("F", "F", "0")")));
   const ProvedEnd& to = *diagonal.loads->to;

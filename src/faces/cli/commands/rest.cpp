@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -68,7 +69,11 @@ int answer(const RestArguments& arguments, bool tilts) {
   MechanismScene scene = read_scene(arguments.scene, Dimensions::any);
   if (!arguments.load.empty()) {
     if (!scene.mechanism.load) refuse(arguments, "the scene has no load, expected no --load");
-    scene.load = number_of("--load", arguments.load);
+    try {
+      scene = with_values(scene, {{scene.mechanism.load->symbol, number_of("--load", arguments.load)}});
+    } catch (const std::invalid_argument& error) {
+      refuse(arguments, error.what());
+    }
   }
   RestQuestions questions;
   if (tilts) {
