@@ -33,7 +33,7 @@ TEST_CASE("rest says whether a scene can rest, must, and up to where") {
   const auto falls = run({"rest", scene, "--load", "200"});
   CHECK(falls.exit_code == 1);
   CHECK(last_line(falls.out) == "s CANNOT REST\n");
-  CHECK(falls.out.find("block x -1, y 4/5") != std::string::npos);
+  CHECK(falls.out.find("ay  4/5") != std::string::npos);
   CHECK(run({"rest", scene, "--load", "200", "--fail-on", "none"}).exit_code == 0);
 }
 
