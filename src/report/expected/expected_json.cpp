@@ -134,7 +134,7 @@ class ExpectedDocument {
   const MotionsAtLoad& found_;
 };
 
-Json motion_json(const Mechanism& m, const SpaceMotion& motion) {
+Json expected_motion(const Mechanism& m, const SpaceMotion& motion) {
   Json slips = Json::object();
   for (std::size_t i = 0; i < m.contacts.size(); ++i) {
     if (motion.slips[i]) slips[m.contacts[i].name] = range_json(*motion.slips[i]);
@@ -169,7 +169,7 @@ Json document_of(const ExpectedInSpace& answer) {
   document["complete"] = solved.complete();
   document["motions"] = Json::array();
   for (const SpaceMotion& motion : solved.motions) {
-    document["motions"].push_back(motion_json(solved.scene.mechanism, motion));
+    document["motions"].push_back(expected_motion(solved.scene.mechanism, motion));
   }
   document["undecided"] = solved.undecided;
   return document;

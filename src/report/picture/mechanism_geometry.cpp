@@ -19,13 +19,6 @@ Point opposite(Point vector) {
   return {-vector[0], -vector[1]};
 }
 
-/// The square root of a number that is a square of a rational one.
-std::optional<Rational> exact_root(const Rational& x) {
-  const Integer above = sqrt(numerator(x)), below = sqrt(denominator(x));
-  if (above * above != numerator(x) || below * below != denominator(x)) return std::nullopt;
-  return Rational(above, below);
-}
-
 class GeometryReader {
  public:
   explicit GeometryReader(const MechanismScene& scene) : scene_(scene), numbers_(scene) {}

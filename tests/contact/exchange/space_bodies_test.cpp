@@ -12,27 +12,27 @@
 #include "contact/space/solve_space.hpp"
 
 using namespace slipproof;
-using nlohmann::json;
+using BodiesJson = nlohmann::json;
 
 namespace {
 
 using Vector3 = std::array<double, 3>;
 
-Vector3 vector_of(const json& given) {
+Vector3 vector_of(const BodiesJson& given) {
   return {given[0], given[1], given[2]};
 }
 Vector3 crossed(const Vector3& a, const Vector3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 /// R v, or the transposed R v.
-Vector3 turned(const json& R, const Vector3& v, bool back = false) {
+Vector3 turned(const BodiesJson& R, const Vector3& v, bool back = false) {
   Vector3 result{};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) result[i] += (back ? R[j][i] : R[i][j]).get<double>() * v[j];
   }
   return result;
 }
-Vector3 by_inertia(const json& I, const Vector3& v) {
+Vector3 by_inertia(const BodiesJson& I, const Vector3& v) {
   return {I[0].get<double>() * v[0] + I[3].get<double>() * v[1] + I[4].get<double>() * v[2],
           I[3].get<double>() * v[0] + I[1].get<double>() * v[1] + I[5].get<double>() * v[2],
           I[4].get<double>() * v[0] + I[5].get<double>() * v[1] + I[2].get<double>() * v[2]};
@@ -55,25 +55,25 @@ struct Balance {
   }
 };
 
-double residual(const json& document, const std::map<std::string, double>& x) {
-  const json& body = document["bodies"].at(0);
-  const json& R = body["turn"];
+double residual(const BodiesJson& document, const std::map<std::string, double>& x) {
+  const BodiesJson& body = document["bodies"].at(0);
+  const BodiesJson& R = body["turn"];
   const double mass = body["mass"];
   Balance balance;
   const auto scaled = [](const Vector3& v, double factor) {
     return Vector3{factor * v[0], factor * v[1], factor * v[2]};
   };
   balance.push(scaled(vector_of(document["gravity"]), mass), {});
-  for (const json& force : document["forces"]) {
+  for (const BodiesJson& force : document["forces"]) {
     balance.push(vector_of(force["is"]), turned(R, vector_of(force["at"])));
   }
-  for (const json& contact : document["contacts"]) {
+  for (const BodiesJson& contact : document["contacts"]) {
     REQUIRE(contact["on"] == "ground");
     const Vector3 arm = turned(R, vector_of(contact["point"]));
     const Vector3 normal = vector_of(contact["normal"]);
     const Vector3 rim = scaled(normal, -contact["radius"].get<double>());
     const Vector3 at{arm[0] + rim[0], arm[1] + rim[1], arm[2] + rim[2]};
-    const json& forces = contact["forces"];
+    const BodiesJson& forces = contact["forces"];
     balance.push(scaled(normal, x.at(forces[0])), at);
     for (std::size_t t = 0; t < 2; ++t)
       balance.push(scaled(vector_of(contact["tangents"][t]), x.at(forces[1 + t])), at);
@@ -101,7 +101,7 @@ TEST_CASE("motions in space balance the forces of the scene that an engine reads
     const SolvedSpace solved =
         solve_space(read_scene(SLIPPROOF_SOURCE_DIR "/cases/space/" + std::string(name) + ".toml", Dimensions::any));
     const Mechanism& m = solved.scene.mechanism;
-    const json document = json::parse(bodies_json(solved.scene));
+    const BodiesJson document = BodiesJson::parse(bodies_json(solved.scene));
     const auto accelerations = acceleration_names(m), forces = force_names(m);
     for (const SpaceMotion& motion : solved.motions) {
       std::map<std::string, double> x;
@@ -119,7 +119,7 @@ TEST_CASE("motions in space balance the forces of the scene that an engine reads
 TEST_CASE("a body in space has its turn as a rotation, and shapes by their sizes") {
   const MechanismScene scene =
       read_scene(SLIPPROOF_SOURCE_DIR "/cases/space/screwdriver-at-wall.toml", Dimensions::any);
-  const json body = json::parse(bodies_json(scene))["bodies"].at(0);
+  const BodiesJson body = BodiesJson::parse(bodies_json(scene))["bodies"].at(0);
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       double product = 0;
