@@ -4,10 +4,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/input/diagnostic.hpp"
+#include "base/number/parse.hpp"
 #include "claims/uniqueness/along.hpp"
 #include "contact/problem/every_push.hpp"
+#include "contact/rest/rest.hpp"
 #include "contact/space/solve_space.hpp"
 #include "faces/python/bind.hpp"
 #include "faces/python/interruptible.hpp"
@@ -18,6 +21,7 @@
 #include "mechanics/reading/shipped.hpp"
 #include "mechanics/scene/solve_mechanism.hpp"
 #include "report/scenes/mechanism_report.hpp"
+#include "report/scenes/rest_report.hpp"
 #include "report/scenes/space_report.hpp"
 #include "report/uniqueness/uniqueness_report.hpp"
 
@@ -160,6 +164,20 @@ py::object solve(const MechanismScene& scene) {
   return py::cast(SpaceSolution(interruptible([scene](Call&) { return solve_space(scene); })));
 }
 
+/// (document, text). An empty `parameter` asks for none; `tilt` has the three coordinates of an axis, or nothing.
+py::tuple rest(const MechanismScene& scene, const std::string& parameter, const std::vector<std::string>& tilt) {
+  RestQuestions questions;
+  questions.parameter = parameter;
+  if (!tilt.empty()) {
+    questions.tilt = {parse_rational(tilt.at(0)), parse_rational(tilt.at(1)), parse_rational(tilt.at(2))};
+  }
+  const auto [document, words] = interruptible([scene, questions](Call&) {
+    const RestAnswer answer = find_rest(scene, questions);
+    return std::pair(rest_json(answer), text_of(rest_document(answer, 6)));
+  });
+  return py::make_tuple(document, words);
+}
+
 /// (document, text). An empty `x` stands for the usual parameter.
 py::tuple critical(const std::string& text, const std::string& file, const std::string& x) {
   const auto work = [text, file, x](Call&) {
@@ -182,7 +200,8 @@ void bind_scene(py::module_& module) {
       .def_property_readonly("name", [](const MechanismScene& scene) { return scene.name; })
       .def_property_readonly("notes", [](const MechanismScene& scene) { return scene.notes; })
       .def_property_readonly("dimension", [](const MechanismScene& scene) { return scene.mechanism.dimension; })
-      .def("solve", &solve);
+      .def("solve", &solve)
+      .def("rest", &rest);
   py::class_<Solution>(module, "Solution")
       .def("json", &Solution::json)
       .def("text", &Solution::text)

@@ -94,3 +94,17 @@ def test_what_is_in_the_plane_only_says_so():
         slipproof.critical("cases/space/domino.toml")
     with pytest.raises(slipproof.InputError, match="load"):
         sledge().solve({"mu": "1/2"})
+
+
+def test_rest_is_the_document_of_the_program(program):
+    board = "cases/rest/block-on-board.toml"
+    rest = slipproof.Scene.load(board).rest(tilt=(1, 0, 0))
+    assert rest.to_dict() == program("rest", "--json", "--tilt", "1,0,0", board)
+    assert rest.can_rest and rest.tilt == Fraction(1, 2) and rest.fall is None and pickle.loads(pickle.dumps(rest)) == rest
+    wedge = slipproof.Scene.load("cases/rest/wedge-in-groove.toml").rest()
+    assert wedge.can_rest and wedge.must_rest is False and "motion" in wedge.because
+    slope = slipproof.Scene.load("cases/rest/block-on-slope.toml").rest(parameter="mu_s")
+    assert slope.parameter == (Fraction(3, 4), None)
+    for axis in (True, (1, 0)):
+        with pytest.raises(ValueError, match="tilt"):
+            slipproof.Scene.load(board).rest(tilt=axis)

@@ -4,7 +4,6 @@
 #include <array>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -13,6 +12,7 @@
 #include "base/output/output_file.hpp"
 #include "contact/rest/rest_certificate.hpp"
 #include "faces/cli/command.hpp"
+#include "faces/cli/load_option.hpp"
 #include "faces/cli/warnings.hpp"
 #include "report/scenes/rest_report.hpp"
 
@@ -66,15 +66,7 @@ int exit_code_of(const RestAnswer& answer, const std::vector<std::string>& fail_
 }
 
 int answer(const RestArguments& arguments, bool tilts) {
-  MechanismScene scene = read_scene(arguments.scene, Dimensions::any);
-  if (!arguments.load.empty()) {
-    if (!scene.mechanism.load) refuse(arguments, "the scene has no load, expected no --load");
-    try {
-      scene = with_values(scene, {{scene.mechanism.load->symbol, number_of("--load", arguments.load)}});
-    } catch (const std::invalid_argument& error) {
-      refuse(arguments, error.what());
-    }
-  }
+  MechanismScene scene = at_load(read_scene(arguments.scene, Dimensions::any), arguments.load);
   RestQuestions questions;
   if (tilts) {
     if (arguments.tilt.empty() && scene.mechanism.dimension == 3) {
@@ -106,7 +98,7 @@ void add_rest(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<RestArguments>();
   CLI::App& command = *app.add_subcommand("rest", "Find whether a scene can rest, whether it must, and up to where");
   command.add_option("SCENE", options->scene, "Scene file (TOML), in the plane or in space")->required();
-  command.add_option("--load", options->load, "A value of the load, in place of the scene's");
+  add_load_option(command, options->load);
   CLI::Option* tilt = command
                           .add_option("--tilt", options->tilt,
                                       "Find the greatest angle by which gravity can turn about an axis x,y,z, by the "

@@ -19,20 +19,20 @@ from ._core import version as __version__
 from ._errors import Diagnostic, InputError, TooMuchWork
 from ._filter import MODES, ConsistentModes, consistent_modes
 from ._mechanism import Mechanism, Search, search, shipped_mechanisms
-from ._numbers import Affine, Interval
+from ._numbers import Affine, Bounds, Interval
 from ._papers import Check, CheckedCertificate, ClaimVerdict, Proof, Verification, check, prove, verify
 from ._phase import PhaseDiagram, phase_diagram
 from ._progress import ProgressBar
 from ._scene import Scene, solve
-from ._solution import Cell, Continuum, Motion, Range, Rejected, Solution
-from ._space import Bounds, SpaceMotion, SpaceSolution
+from ._solution import Cell, Continuum, Motion, Range, Rejected, Rest, Solution
+from ._space import SpaceMotion, SpaceSolution
 from ._uniqueness import Critical, critical
 from ._verdicts import Verdict, Verdicts
 
 __all__ = [
     "MODES", "VERDICTS", "Affine", "BicycleVerdicts", "Body", "Bounds", "Cell", "Check", "CheckedCertificate", "ClaimVerdict", "ConsistentModes", "Contact", "Continuum", "Critical",
     "Diagnostic", "Force", "Friction",
-    "InputError", "Interval", "Joint", "Mechanism", "Motion", "PhaseDiagram", "ProgressBar", "Proof", "Range", "Rejected", "Scene",
+    "InputError", "Interval", "Joint", "Mechanism", "Motion", "PhaseDiagram", "ProgressBar", "Proof", "Range", "Rejected", "Rest", "Scene",
     "Search", "Solution", "SpaceMotion", "SpaceSolution", "TooMuchWork", "Torque", "Verdict", "Verdicts", "Verification", "__version__", "certify",
     "certify_bicycles", "certify_file",
     "check", "consistent_modes", "critical", "phase_diagram", "prove", "search", "shipped_mechanisms", "solve", "verify",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from decimal import Decimal
 from fractions import Fraction
 from numbers import Integral
-from typing import Any, Dict, Generic, Iterator, Mapping, Optional, Tuple, TypeVar, Union
+from typing import Any, Dict, Generic, Iterator, Mapping, NamedTuple, Optional, Sequence, Tuple, TypeVar, Union
 
 from ._errors import wrong_type, wrong_value
 from ._result import Result
@@ -49,6 +49,25 @@ def fraction(text: str) -> Fraction:
 def ratio(pair: Tuple[int, int]) -> Fraction:
     """A Fraction from numbers that are already in lowest terms."""
     return Fraction(*pair, _normalize=False)
+
+
+class Bounds(NamedTuple):
+    """The proved bounds of a number: ``lower`` <= number <= ``upper``."""
+
+    lower: Fraction
+    upper: Fraction
+
+    def __str__(self) -> str:
+        return f"[{float(self.lower)}, {float(self.upper)}]"
+
+
+SpaceNumber = Union[Fraction, Bounds]
+
+
+def enclosed(ends: Sequence[str]) -> SpaceNumber:
+    """The number between two ends of a document, exactly where they are the same."""
+    lower, upper = fraction(ends[0]), fraction(ends[1])
+    return lower if lower == upper else Bounds(lower, upper)
 
 
 class Affine:

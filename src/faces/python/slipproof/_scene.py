@@ -5,13 +5,13 @@ from __future__ import annotations
 import os
 import tomllib
 from pathlib import Path
-from typing import Any, Dict, List, Mapping, Tuple, Union
+from typing import Any, Dict, List, Mapping, Sequence, Tuple, Union
 
 from . import _core
-from ._errors import Diagnostic, InputError, wrong_type
+from ._errors import Diagnostic, InputError, wrong_type, wrong_value
 from ._result import Result
 from ._numbers import Number, text_of
-from ._solution import Solution
+from ._solution import Rest, Solution
 from ._space import SpaceSolution
 
 _TABLE_OF = {"f": "road", "g": "road", "kind": "force", "F": "force", "P": "force", "name": ""}
@@ -197,6 +197,20 @@ class Scene(Result):
         solution = Solution(self) if self.dimension == 2 else SpaceSolution(self)
         solution._solution  # noqa: B018 - solved here, not at the first look
         return solution
+
+    def rest(self, *, parameter: str = "", tilt: Union[bool, Sequence[Number]] = False) -> Rest:
+        """Whether it can rest, whether it must, and at which loads; with ``parameter``, at which of its values; with
+        ``tilt``, up to which angle gravity can turn about this axis. In the plane ``tilt=True``. Raises InputError for a
+        scene that moves."""
+        if isinstance(tilt, bool):
+            if tilt and self.dimension == 3:
+                raise wrong_value("tilt", tilt, "an axis, such as (0, 1, 0)")
+            axis: Sequence[Number] = (0, 0, 1) if tilt else ()
+        elif len(tilt) != 3:
+            raise wrong_value("tilt", tilt, "three coordinates of an axis")
+        else:
+            axis = tilt
+        return Rest(*self._scene.rest(parameter, [text_of(x, "tilt") for x in axis]))
 
     def __repr__(self) -> str:
         return f"<slipproof.Scene {self.name!r}>"

@@ -4,32 +4,14 @@ from __future__ import annotations
 
 from fractions import Fraction
 from functools import cached_property
-from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Tuple, Union
+from typing import Any, Dict, List, Mapping, Optional, Tuple
 
-from ._numbers import Values, fraction, value
+from ._numbers import SpaceNumber, Values, enclosed, value
 from ._solution import Motion, Solution
 
 
-class Bounds(NamedTuple):
-    """The proved bounds of a number: ``lower`` <= number <= ``upper``."""
-
-    lower: Fraction
-    upper: Fraction
-
-    def __str__(self) -> str:
-        return f"[{float(self.lower)}, {float(self.upper)}]"
-
-
-SpaceNumber = Union[Fraction, Bounds]
-
-
-def _number(ends: Tuple[str, str]) -> SpaceNumber:
-    lower, upper = fraction(ends[0]), fraction(ends[1])
-    return lower if lower == upper else Bounds(lower, upper)
-
-
 def _numbers(texts: Mapping[str, Any]) -> Dict[str, Optional[SpaceNumber]]:
-    return {name: ends and _number(ends) for name, ends in texts.items()}
+    return {name: ends and enclosed(ends) for name, ends in texts.items()}
 
 
 class SpaceMotion(Motion[SpaceNumber]):
