@@ -30,12 +30,10 @@ class SolutionSearch {
     root.pattern.resize(exact_.contacts());
     found_.nodes.push_back(root);
     std::vector<std::size_t> level{0};
-    if (is_without_friction(std::vector<Rational>(exact_.size()))) {
-      level.clear();
-    } else if (exact_.dimension == 3) {
-      find_rest();
-    }
+    if (is_without_friction(std::vector<Rational>(exact_.size()))) level.clear();
+    bool small = exact_.dimension == 3;
     while (!level.empty() && found_.nodes.size() < options_.most_nodes && work_with(level.size()) <= options_.effort) {
+      if (small && found_.nodes.size() > few_nodes) small = false, find_rest();
       const std::size_t known = found_.motions.size();
       if (options_.progress) options_.progress({found_.nodes.size(), level.size(), known});
       level = next_generation(level);
@@ -47,6 +45,8 @@ class SolutionSearch {
   }
 
  private:
+  static constexpr std::size_t few_nodes = 500;
+
   struct Visit {
     std::size_t programs = 0;
     std::optional<ProposedPoint> point;
@@ -78,7 +78,7 @@ class SolutionSearch {
     return true;
   }
 
-  /// Rest, before patterns are many: with several bodies the search may end before it comes to where all stick.
+  /// Rest, where patterns become many: with several bodies the search may end before it comes to where all stick.
   void find_rest() {
     ContactPattern pattern(exact_.contacts());
     for (std::size_t k = 0; k < pattern.size(); ++k) {

@@ -139,9 +139,8 @@ class FormsOfMechanism {
   }
 
   SymbolicForm difference(const SymbolicForm& x, const SymbolicForm& y) const {
-    const Expression zero = zero_literal();
     const auto minus = [&](const Expression& a, const Expression& b) {
-      if (a == zero && b == zero) return zero;  // most of them
+      if (is_literal_zero(a) && is_literal_zero(b)) return a;  // most of them
       return difference_of(a, b, [this](const Expression& e) { return extraction_.divides_by_nothing(e); });
     };
     SymbolicForm result{{}, minus(x.load, y.load), minus(x.constant, y.constant)};
@@ -151,8 +150,7 @@ class FormsOfMechanism {
     return result;
   }
 
-  /// The forces of contacts, friction elements and links that work along each acceleration, with what they are
-  /// multiplied by.
+  /// The forces of contacts, friction elements and links that work along each acceleration, and their factors.
   void find_work() {
     work_.resize(mechanism_.equations.size());
     const auto add = [&](const SymbolicForm& motion, std::size_t force) {

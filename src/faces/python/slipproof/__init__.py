@@ -24,8 +24,8 @@ from ._papers import Check, CheckedCertificate, ClaimVerdict, Proof, Verificatio
 from ._phase import PhaseDiagram, phase_diagram
 from ._progress import ProgressBar
 from ._scene import Scene, solve
-from ._solution import Cell, Continuum, Motion, Range, Rejected, Rest, Solution
-from ._space import SpaceMotion, SpaceSolution
+from ._solution import Cell, Continuum, Motion, Range, Rejected, Solution
+from ._space import Rest, SpaceMotion, SpaceSolution
 from ._uniqueness import Critical, critical
 from ._verdicts import Verdict, Verdicts
 

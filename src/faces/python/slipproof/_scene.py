@@ -11,8 +11,8 @@ from . import _core
 from ._errors import Diagnostic, InputError, wrong_type, wrong_value
 from ._result import Result
 from ._numbers import Number, text_of
-from ._solution import Rest, Solution
-from ._space import SpaceSolution
+from ._solution import Solution
+from ._space import Rest, SpaceSolution
 
 _TABLE_OF = {"f": "road", "g": "road", "kind": "force", "F": "force", "P": "force", "name": ""}
 _FILE = "scene"

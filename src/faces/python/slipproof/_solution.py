@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any, Dict, Generic, Iterator, List, Mapping, O
 from . import _core
 from ._errors import wrong_value
 from ._html import table, phase_line
-from ._numbers import Affine, Interval, N, Number, SpaceNumber, Values, enclosed, ratio, value
-from ._result import Report, Result
+from ._numbers import Affine, Interval, N, Number, Values, ratio, value
+from ._result import Result
 
 if TYPE_CHECKING:
     from ._scene import Scene
@@ -328,69 +328,3 @@ def _cell(lower: Any, upper: Any, lower_closed: bool, upper_closed: bool, motion
         known = {**accelerations, **{name: x for name, x in forces.items() if x is not None}}
         made.append(Motion(modes, boundary_modes, bool(modes), _Pairs(known), undetermined))
     return Cell(loads, made, continua)
-
-
-class Rest(Report):
-    """Whether a scene can rest, whether it must, and up to where, as :meth:`Scene.rest` finds it.
-
-    >>> import slipproof
-    >>> rest = slipproof.Scene.load("cases/rest/ladder.toml").rest()
-    >>> rest.can_rest, rest.load[1]
-    (True, Fraction(981, 11))
-    """
-
-    @cached_property
-    def _document(self) -> Dict[str, Any]:
-        return self.to_dict()
-
-    @property
-    def can_rest(self) -> Optional[bool]:
-        """Whether forces can hold it; None if that is undecided."""
-        return self._document["can_rest"]  # type: ignore[no-any-return]
-
-    @property
-    def touching(self) -> bool:
-        """Whether it can rest only just: it is proved that no forces are inside of all cones of friction."""
-        return self._document["touching"]  # type: ignore[no-any-return]
-
-    @property
-    def must_rest(self) -> Optional[bool]:
-        """Whether it has no motion beside rest; None if that is open. ``because`` says why."""
-        return self._document["must_rest"]  # type: ignore[no-any-return]
-
-    @property
-    def because(self) -> str:
-        """Why it must rest, need not rest, or why that is open."""
-        return self._document["must_rest_because"]  # type: ignore[no-any-return]
-
-    @property
-    def forces(self) -> Optional[Dict[str, Fraction]]:
-        """Forces that hold it, by name, in N."""
-        forces = self._document["forces"]
-        return forces and {name: value(force) for name, force in forces.items()}
-
-    @property
-    def fall(self) -> Optional[Dict[str, Fraction]]:
-        """The virtual motion that proves that it cannot rest, by the names of accelerations."""
-        why_not = self._document["why_not"]
-        return why_not and {name: value(rate) for name, rate in why_not["motion"].items()}
-
-    @property
-    def load(self) -> Tuple[Optional[SpaceNumber], Optional[SpaceNumber]]:
-        """The least and the greatest load at which it can rest; None where there is no end, or no load."""
-        return self._ends("load")
-
-    @property
-    def parameter(self) -> Tuple[Optional[SpaceNumber], Optional[SpaceNumber]]:
-        """The values of the parameter that was asked for, likewise."""
-        return self._ends("parameter")
-
-    @property
-    def tilt(self) -> Optional[SpaceNumber]:
-        """The tangent of the greatest angle; None at 90 degrees or beyond, or if it was not asked for."""
-        tilt = self._document["tilt"]
-        return tilt and tilt["tangent"] and enclosed(tilt["tangent"])
-
-    def _ends(self, what: str) -> Tuple[Optional[SpaceNumber], Optional[SpaceNumber]]:
-        found = self._document[what] or {"from": None, "to": None}
-        return found["from"] and enclosed(found["from"]), found["to"] and enclosed(found["to"])

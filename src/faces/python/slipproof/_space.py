@@ -1,4 +1,4 @@
-"""The solution of a scene in space: all motions, as numbers or with the bounds that were proved for them."""
+"""Answers with proved bounds: all motions of a scene in space, and whether a scene rests."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from functools import cached_property
 from typing import Any, Dict, List, Mapping, Optional, Tuple
 
 from ._numbers import SpaceNumber, Values, enclosed, value
+from ._result import Report
 from ._solution import Motion, Solution
 
 
@@ -76,3 +77,69 @@ class SpaceSolution(Solution):
         """Whether it is proved that there is one motion, and no other. Its forces may be open."""
         motion = self.motions[0] if self.complete and len(self.motions) == 1 else None
         return motion is not None and motion.exists and (motion.unique or motion.others_within == 0)
+
+
+class Rest(Report):
+    """Whether a scene can rest, whether it must, and up to where, as :meth:`Scene.rest` finds it.
+
+    >>> import slipproof
+    >>> rest = slipproof.Scene.load("cases/rest/ladder.toml").rest()
+    >>> rest.can_rest, rest.load[1]
+    (True, Fraction(981, 11))
+    """
+
+    @cached_property
+    def _document(self) -> Dict[str, Any]:
+        return self.to_dict()
+
+    @property
+    def can_rest(self) -> Optional[bool]:
+        """Whether forces can hold it; None if that is undecided."""
+        return self._document["can_rest"]  # type: ignore[no-any-return]
+
+    @property
+    def touching(self) -> bool:
+        """Whether it can rest only just: it is proved that no forces are inside of all cones of friction."""
+        return self._document["touching"]  # type: ignore[no-any-return]
+
+    @property
+    def must_rest(self) -> Optional[bool]:
+        """Whether it has no motion beside rest; None if that is open. ``because`` says why."""
+        return self._document["must_rest"]  # type: ignore[no-any-return]
+
+    @property
+    def because(self) -> str:
+        """Why it must rest, need not rest, or why that is open."""
+        return self._document["must_rest_because"]  # type: ignore[no-any-return]
+
+    @property
+    def forces(self) -> Optional[Dict[str, Fraction]]:
+        """Forces that hold it, by name, in N."""
+        forces = self._document["forces"]
+        return forces and {name: value(force) for name, force in forces.items()}
+
+    @property
+    def fall(self) -> Optional[Dict[str, Fraction]]:
+        """The virtual motion that proves that it cannot rest, by the names of accelerations."""
+        why_not = self._document["why_not"]
+        return why_not and {name: value(rate) for name, rate in why_not["motion"].items()}
+
+    @property
+    def load(self) -> Tuple[Optional[SpaceNumber], Optional[SpaceNumber]]:
+        """The least and the greatest load at which it can rest; None where there is no end, or no load."""
+        return self._ends("load")
+
+    @property
+    def parameter(self) -> Tuple[Optional[SpaceNumber], Optional[SpaceNumber]]:
+        """The values of the parameter that was asked for, likewise."""
+        return self._ends("parameter")
+
+    @property
+    def tilt(self) -> Optional[SpaceNumber]:
+        """The tangent of the greatest angle; None at 90 degrees or beyond, or if it was not asked for."""
+        tilt = self._document["tilt"]
+        return tilt and tilt["tangent"] and enclosed(tilt["tangent"])
+
+    def _ends(self, what: str) -> Tuple[Optional[SpaceNumber], Optional[SpaceNumber]]:
+        found = self._document[what] or {"from": None, "to": None}
+        return found["from"] and enclosed(found["from"]), found["to"] and enclosed(found["to"])

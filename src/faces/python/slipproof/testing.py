@@ -26,7 +26,8 @@ from typing import Any, Iterator, List, Mapping, Optional, Tuple, Union
 from ._certify import certify
 from ._scene import Scene, solve
 from ._solution import Motion, Solution
-from ._space import Bounds, SpaceMotion, SpaceSolution
+from ._numbers import Bounds
+from ._space import SpaceMotion, SpaceSolution
 from ._verdicts import Verdict, Verdicts
 
 __all__ = ["assert_certified", "assert_motion"]
