@@ -156,46 +156,66 @@ RestLoads RestSolver::loads(const RestPush& push, const RestPush& unit, bool not
   return result;
 }
 
+RestSolver::Side RestSolver::side(RestProgram::Cones cones, const RestPush& push,
+                                  const std::vector<VariedLoad>& loads) {
+  Side side{RestProgram(problem_, polygons_, cones), {}, {}};
+  side.program = side.cones.extreme(push, loads);
+  side.answer = answer(side.program);
+  return side;
+}
+
+RestExtreme RestSolver::proved(Side& inner, Side& outer, std::size_t loads) {
+  RestExtreme result;
+  make_exact(outer.program, outer.answer);
+  const SparseOptimum& around = *outer.answer.exact;
+  if (around.kind == SparseOptimum::Kind::infeasible) {
+    result.kind = RestExtreme::Kind::none;
+    result.multipliers = around.y;
+    return result;
+  }
+  make_exact(inner.program, inner.answer);
+  const SparseOptimum& within = *inner.answer.exact;
+  if (within.kind == SparseOptimum::Kind::unbounded) result.kind = RestExtreme::Kind::unbounded;
+  if (within.kind != SparseOptimum::Kind::optimal || around.kind != SparseOptimum::Kind::optimal) return result;
+  for (std::size_t k = 0; k < loads; ++k) {
+    result.inner.push_back(within.x[inner.cones.last_column() + k]);
+    result.outer.push_back(around.x[outer.cones.last_column() + k]);
+  }
+  result.kind = RestExtreme::Kind::found;
+  result.forces = inner.cones.forces(within.x, false);
+  result.multipliers = around.y;
+  return result;
+}
+
+RestExtreme RestSolver::extreme(const RestPush& push, const std::vector<VariedLoad>& loads, const Nearness& near) {
+  for (int round = 1;; ++round) {
+    Side inner = side(RestProgram::Cones::within, push, loads);
+    if (!has_circles_) return proved(inner, inner, loads.size());
+    const auto is = [](const Side& side, SparseOptimum::Kind kind) {
+      return side.answer.exact && side.answer.exact->kind == kind;
+    };
+    if (is(inner, SparseOptimum::Kind::unbounded)) return {RestExtreme::Kind::unbounded, {}, {}, {}, {}};
+    Side outer = side(RestProgram::Cones::around, push, loads);
+    if (!outer.answer.feasible) make_exact(outer.program, outer.answer);
+    if (is(outer, SparseOptimum::Kind::infeasible)) return proved(inner, outer, loads.size());
+    const double gap = std::abs(inner.answer.least - outer.answer.least);
+    const bool close = inner.answer.feasible && !is(outer, SparseOptimum::Kind::unbounded) &&
+                       gap <= std::max(near.relative * std::abs(inner.answer.least), near.absolute);
+    const bool finer = !close && round < most_rounds && refine(forces_of(outer.cones, outer.answer, false));
+    if (!finer) return proved(inner, outer, loads.size());
+  }
+}
+
 std::optional<ProvedEnd> RestSolver::end(const RestPush& push, const RestPush& unit, int direction, bool not_negative,
                                          RestLoads& loads) {
-  constexpr double wanted = 1e-10;  // relative
-  using Kind = SparseOptimum::Kind;
-  for (int round = 1;; ++round) {
-    const RestProgram within(problem_, polygons_, RestProgram::Cones::within);
-    const SparseProgram inner = within.extreme(push, unit, direction, not_negative);
-    Answer inside = answer(inner);
-    if (!has_circles_) make_exact(inner, inside);
-    const bool unbounded = inside.exact && inside.exact->kind == Kind::unbounded;
-    if (unbounded) return std::nullopt;
-    if (!has_circles_) {
-      loads.none = !inside.feasible;
-      if (loads.none) return std::nullopt;
-      const Rational& end = inside.exact->x[within.last_column()];
-      return ProvedEnd{end, end};
-    }
-    const RestProgram around(problem_, polygons_, RestProgram::Cones::around);
-    const SparseProgram outer = around.extreme(push, unit, direction, not_negative);
-    Answer outside = answer(outer);
-    if (!outside.feasible) {
-      make_exact(outer, outside);
-      loads.none = outside.exact->kind == Kind::infeasible;
-      if (loads.none) return std::nullopt;
-    }
-    const bool near = inside.feasible && !(outside.exact && outside.exact->kind == Kind::unbounded) &&
-                      std::abs(inside.least - outside.least) <= wanted * std::abs(inside.least);
-    const bool finer = !near && round < most_rounds && refine(forces_of(around, outside, false));
-    if (finer) continue;
-    make_exact(inner, inside);
-    make_exact(outer, outside);
-    if (inside.exact->kind == Kind::unbounded) return std::nullopt;
-    if (inside.exact->kind != Kind::optimal || outside.exact->kind != Kind::optimal) {
-      loads.decided = false;
-      return std::nullopt;
-    }
-    ProvedEnd end{inside.exact->x[within.last_column()], outside.exact->x[around.last_column()]};
-    if (end.upper < end.lower) std::swap(end.lower, end.upper);
-    return end;
-  }
+  const std::optional<Rational> from = not_negative ? std::optional<Rational>(0) : std::nullopt;
+  const RestExtreme found = extreme(push, {{unit, direction, from, std::nullopt}}, {});
+  loads.none = found.kind == RestExtreme::Kind::none;
+  if (found.kind == RestExtreme::Kind::undecided) loads.decided = false;
+  if (found.kind != RestExtreme::Kind::found) return std::nullopt;
+  ProvedEnd end{found.inner[0], found.outer[0]};
+  if (end.upper < end.lower) std::swap(end.lower, end.upper);
+  return end;
 }
 
 }  // namespace slipproof

@@ -27,6 +27,20 @@ struct RestLoads {
   std::optional<ProvedEnd> from, to;
 };
 
+/// The least cost of loads that vary, from both sides.
+struct RestExtreme {
+  enum class Kind : std::uint8_t { found, unbounded, none, undecided };
+  Kind kind = Kind::undecided;
+  std::vector<Rational> inner,
+      outer;                     ///< found: loads at which it can rest; those of the least cost that is not excluded
+  std::vector<Rational> forces;  ///< found: that hold it at `inner`
+  std::vector<Rational> multipliers;  ///< found: no cost is less than that of `outer`; none: there are no such loads
+};
+/// How near both sides must be: relative to the cost, or absolutely.
+struct Nearness {
+  double relative = 1e-10, absolute = 0;
+};
+
 /// Answers to questions about one problem; each goes on with the polygons of those before it. A contact in space has a
 /// polygon inside of its circle of friction, which proves that forces hold, and one around it, whose multipliers prove
 /// that none do; both get finer in the direction of the present force until they agree. All methods throw TooMuchWork.
@@ -37,8 +51,12 @@ class RestSolver {
   RestDecision decide(const RestPush& push);
   /// The loads at which push + load * unit can be held; with not_negative only those from 0 on.
   RestLoads loads(const RestPush& push, const RestPush& unit, bool not_negative);
+  /// The least cost at which push and the loads can be held. In the plane both sides are one.
+  RestExtreme extreme(const RestPush& push, const std::vector<VariedLoad>& loads, const Nearness& near);
 
   std::size_t programs() const { return programs_; }
+  /// Whether polygons stand in for circles of friction: without them all ends are exact.
+  bool has_circles() const { return has_circles_; }
 
  private:
   struct Answer {
@@ -48,6 +66,14 @@ class RestSolver {
     bool feasible = true;
   };
   Answer answer(const SparseProgram& program);
+  /// The program about loads with cones of one kind, and what is known of its answer.
+  struct Side {
+    RestProgram cones;
+    SparseProgram program;
+    Answer answer;
+  };
+  Side side(RestProgram::Cones cones, const RestPush& push, const std::vector<VariedLoad>& loads);
+  RestExtreme proved(Side& inner, Side& outer, std::size_t loads);
   void make_exact(const SparseProgram& program, Answer& answer);
   bool settle(const RestPush& push, const RestProgram& within, RestDecision& decision);
   bool refine(const std::vector<double>& forces);

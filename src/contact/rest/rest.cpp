@@ -41,6 +41,10 @@ RestAnswer find_rest(MechanismScene scene, const RestQuestions& questions) {
     decide(answer, solver);
     answer.programs += solver.programs();
   });
+  if (questions.only_whether) {
+    answer.scene = std::move(scene);
+    return answer;
+  }
   if (answer.push && answer.problem.load) {
     with_effort([&](Effort& effort) {
       RestSolver solver(answer.problem, effort);
@@ -57,6 +61,9 @@ RestAnswer find_rest(MechanismScene scene, const RestQuestions& questions) {
     with_effort([&](Effort& effort) {
       answer.parameter = rest_along(scene, maker, questions.parameter, effort, answer.programs);
     });
+  }
+  if (questions.map) {
+    with_effort([&](Effort& effort) { answer.map = rest_map(scene, *questions.map, effort, answer.programs); });
   }
   if (answer.push) {
     const bool ended = with_effort([&](Effort& effort) {

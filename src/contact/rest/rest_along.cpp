@@ -161,9 +161,7 @@ class ParameterSearch {
                is_symbol(c.static_friction.expression, result_.name);
       });
       const bool slips = std::ranges::any_of(problem.contacts[k].tangents, [&](std::size_t force) {
-        Rational rate;
-        for (const auto& [row, part] : problem.along[force]) rate += part * motion.rates[row];
-        return !rate.is_zero();
+        return !problem.rate_along(force, motion.rates).is_zero();
       });
       if (varies && slips) result.push_back(k);
     }

@@ -1,9 +1,11 @@
 // What is known of a scene at rest: data, which rest.hpp finds.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "contact/rest/can_rest.hpp"
 #include "contact/space/solved_space.hpp"
@@ -29,6 +31,34 @@ struct RestParameter {
   std::optional<ProvedEnd> from, to;
 };
 
+/// The values of two loads at which a scene can rest: a convex set between two polygons.
+struct RestMap {
+  struct Corner {
+    Rational x, y;
+    std::vector<Rational> forces;  ///< that hold it there
+  };
+  /// It rests only where x X + y Y <= most: elsewhere the motion gains power.
+  struct Border {
+    Rational x, y, most;
+    VirtualMotion motion;
+  };
+  /// Nothing is said beyond these values.
+  struct Frame {
+    std::optional<Rational> from, to;
+  };
+
+  std::string x, y;  ///< their symbols
+  std::optional<Rational> x_here, y_here;
+  Frame x_frame, y_frame;
+  bool none = false;                            ///< it rests nowhere: `borders` leave nothing
+  bool decided = true;                          ///< false: the effort was not enough for both polygons
+  bool exact = false;                           ///< both polygons are one
+  std::vector<Corner> inside;                   ///< counterclockwise; it can rest in all that is between them
+  std::vector<Border> borders;                  ///< counterclockwise
+  std::vector<std::array<Rational, 2>> around;  ///< the corners of what the borders and the frame leave
+  double gap = 0;  ///< the largest distance of `around` from the inside, in widths and heights of `around`
+};
+
 /// Whether there is no motion beside rest.
 struct MustRest {
   std::optional<bool> must;
@@ -46,6 +76,7 @@ struct RestAnswer {
   std::optional<RestLoads> loads;  ///< of a scene with a load
   std::optional<RestTilt> tilt;
   std::optional<RestParameter> parameter;
+  std::optional<RestMap> map;
   std::size_t programs = 0;  ///< linear programs that were solved
 };
 

@@ -131,8 +131,8 @@ class RestReader {
     if (kinds_[i].bilateral) {
       if (c.frictionless()) return result_.free.push_back(force(c.normal));
       return mistakes_.add(c.place, c.name +
-                                        ": found a guide with friction, whose forces are no cone, expected contacts "
-                                        "or a guide without");
+                                        ": found a guide with friction, whose N has either sign, so that |S| <= mu |N| "
+                                        "is two cones and not one, expected contacts or a guide without");
     }
     RestProblem::Contact contact{c.name, force(c.normal), {}, 0};
     if (!c.frictionless()) {
@@ -154,8 +154,8 @@ class RestReader {
     if (kind.contact && kinds_[*kind.contact].start == ElementKind::Start::open) return;
     if (kind.contact && kinds_[*kind.contact].bilateral) {
       return mistakes_.add(friction.place, friction.name +
-                                               ": found friction in a guide, whose forces are no cone, "
-                                               "expected a contact or a guide without");
+                                               ": found friction in a guide, whose N has either sign, so that what it "
+                                               "bears is two cones and not one, expected a contact or a guide without");
     }
     must_rest(compiled_.friction[i].slip, friction.slip_name, friction.place);
     const RestForm limit = form(compiled_.friction[i].static_limit, "the limit of " + friction.name);
@@ -177,6 +177,12 @@ std::vector<Rational> RestProblem::push_at(const Rational& load_value) const {
   std::vector<Rational> push = f;
   for (std::size_t i = 0; i < push.size(); ++i) push[i] += load_value * f_load[i];
   return push;
+}
+
+Rational RestProblem::rate_along(std::size_t force, const std::vector<Rational>& rates) const {
+  Rational rate;
+  for (const auto& [row, value] : along[force]) rate += value * rates[row];
+  return rate;
 }
 
 RestProblem RestProblemMaker::problem(const MechanismScene& scene) const {

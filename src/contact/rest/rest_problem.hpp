@@ -43,6 +43,8 @@ struct RestProblem {
   bool only_links_are_free = true;  ///< no free force works along a motion that is possible
   std::optional<std::string> load;  ///< its symbol
 
+  /// Along which a force works where the rows change at these rates.
+  Rational rate_along(std::size_t force, const std::vector<Rational>& rates) const;
   /// f + F f_load.
   std::vector<Rational> push_at(const Rational& load_value) const;
 };

@@ -119,14 +119,28 @@ SparseProgram RestProgram::margin(const RestPush& push) const {
   return program;
 }
 
-SparseProgram RestProgram::extreme(const RestPush& push, const RestPush& unit, int direction, bool not_negative) const {
+SparseProgram RestProgram::extreme(const RestPush& push, const std::vector<VariedLoad>& loads) const {
   SparseProgram program{right_side(push), columns_};
-  ProgramColumn load{{}, direction, !not_negative};
-  const std::vector<Rational> moved = right_side(unit);
-  for (std::uint32_t i = 0; i < moved.size(); ++i) {
-    if (!moved[i].is_zero()) load.entries.emplace_back(i, -moved[i]);
+  const std::size_t rows = program.rows();
+  std::vector<ProgramColumn> beyond;  // how far each load is from its ends: a row each
+  for (const VariedLoad& load : loads) {
+    const bool from_zero = load.from && load.from->is_zero();
+    ProgramColumn column{{}, load.cost, !from_zero};
+    const std::vector<Rational> moved = right_side(load.unit);
+    for (std::uint32_t i = 0; i < rows; ++i) {
+      if (!moved[i].is_zero()) column.entries.emplace_back(i, -moved[i]);
+    }
+    const auto bound = [&](const Rational& end, int side) {
+      const auto row = static_cast<std::uint32_t>(program.rows());
+      program.right_side.push_back(end);
+      column.entries.emplace_back(row, 1);
+      beyond.push_back({{{row, side}}, 0, false});
+    };
+    if (load.from && !from_zero) bound(*load.from, -1);
+    if (load.to) bound(*load.to, 1);
+    program.columns.push_back(std::move(column));
   }
-  program.columns.push_back(std::move(load));
+  std::ranges::move(beyond, std::back_inserter(program.columns));
   return program;
 }
 

@@ -24,9 +24,18 @@ RestPolygons first_polygons(const RestProblem& problem);
 /// What pushes: f, and the constants of the limits.
 struct RestPush {
   std::vector<Rational> f, limits;
+
+  bool operator==(const RestPush&) const = default;
 };
 /// At a load; without one, per unit of the load.
 RestPush push_at(const RestProblem& problem, const std::optional<Rational>& load);
+
+/// A load that varies: what it pushes for each unit, its cost, and the values between which it stays.
+struct VariedLoad {
+  RestPush unit;
+  Rational cost;
+  std::optional<Rational> from, to;
+};
 
 /// Forces as sums, with weights >= 0, of the edges of cones. In the plane the cones are the true ones.
 class RestProgram {
@@ -37,10 +46,10 @@ class RestProgram {
 
   /// The greatest margin t with which all weights are at least t: minimise -t. It is at most the largest push.
   SparseProgram margin(const RestPush& push) const;
-  /// Minimises direction * F where push + F unit pushes; F >= 0 on demand.
-  SparseProgram extreme(const RestPush& push, const RestPush& unit, int direction, bool not_negative) const;
+  /// Minimises the costs of the loads where these push as well.
+  SparseProgram extreme(const RestPush& push, const std::vector<VariedLoad>& loads) const;
 
-  /// The forces, and F, at a solution of extreme(), or of margin(), where F is the margin.
+  /// The forces at a solution of extreme(), or of margin().
   template <class Number>
   std::vector<Number> forces(const std::vector<Number>& x, bool margin) const {
     std::vector<Number> result(problem_.forces.size(), Number(0));
@@ -51,7 +60,7 @@ class RestProgram {
     }
     return result;
   }
-  /// Where F, or the margin, stands among the columns.
+  /// Where the loads begin among the columns, or the margin stands.
   std::size_t last_column() const { return columns_.size(); }
 
  private:

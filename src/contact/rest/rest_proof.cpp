@@ -6,12 +6,6 @@ namespace slipproof {
 
 namespace {
 
-Rational rate_along(const SparseVector& along, const std::vector<Rational>& rates) {
-  Rational rate;
-  for (const auto& [row, value] : along) rate += value * rates[row];
-  return rate;
-}
-
 /// At least factor times the length of the vector.
 bool is_at_least(const Rational& x, const Rational& factor, const std::vector<Rational>& vector) {
   if (x.sign() < 0) return false;
@@ -21,6 +15,13 @@ bool is_at_least(const Rational& x, const Rational& factor, const std::vector<Ra
 }
 
 }  // namespace
+
+Rational power_along(const VirtualMotion& motion, const RestPush& push) {
+  Rational power;
+  for (std::size_t i = 0; i < push.f.size(); ++i) power += motion.rates[i] * push.f[i];
+  for (std::size_t l = 0; l < push.limits.size(); ++l) power -= motion.rubbing[l] * push.limits[l];
+  return power;
+}
 
 bool holds(const RestProblem& problem, const RestPush& push, const std::vector<Rational>& forces) {
   std::vector<Rational> sum = push.f;
@@ -61,14 +62,12 @@ std::optional<VirtualMotion> virtual_motion(const RestProblem& problem, const Re
   if (largest.is_zero()) return std::nullopt;
   for (std::size_t i = 0; i < rows; ++i) motion.rates.push_back(-multipliers[i] / largest);
   std::vector<Rational> rates;  // along each force, less what the limits that it raises can take
-  for (const SparseVector& along : problem.along) rates.push_back(rate_along(along, motion.rates));
-  for (std::size_t i = 0; i < rows; ++i) motion.power += motion.rates[i] * push.f[i];
+  for (std::size_t j = 0; j < problem.along.size(); ++j) rates.push_back(problem.rate_along(j, motion.rates));
   for (std::size_t l = 0; l < problem.limits.size(); ++l) {
     const RestProblem::Limit& limit = problem.limits[l];
     const Rational rubbing = -2 * multipliers[rows + l] / largest;
     if (rubbing < abs(rates[limit.force])) return std::nullopt;
     motion.opens_or_resists = motion.opens_or_resists || rubbing.sign() > 0;
-    motion.power -= rubbing * push.limits[l];
     for (const auto& [force, value] : limit.terms) rates[force] -= rubbing * value;
     motion.rubbing.push_back(rubbing);
   }
@@ -82,6 +81,7 @@ std::optional<VirtualMotion> virtual_motion(const RestProblem& problem, const Re
     if (!is_at_least(opening, contact.mu, slip)) return std::nullopt;
     motion.opens_or_resists = motion.opens_or_resists || opening.sign() > 0;
   }
+  motion.power = power_along(motion, push);
   return motion;
 }
 

@@ -18,6 +18,9 @@ struct VirtualMotion {
       false;  ///< some contact or limit could lose power: if power is 0, these must be without force
 };
 
+/// The power that a push gains along a motion, without what the limits can take.
+Rational power_along(const VirtualMotion& motion, const RestPush& push);
+
 /// Whether forces within the cones and limits balance the push.
 bool holds(const RestProblem& problem, const RestPush& push, const std::vector<Rational>& forces);
 

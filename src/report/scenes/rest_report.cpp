@@ -8,6 +8,7 @@
 #include "base/output/listed.hpp"
 #include "mechanics/bodies/bodies.hpp"
 #include "report/scenes/mechanism_report.hpp"
+#include "report/scenes/rest_words.hpp"
 #include "report/scenes/space_report.hpp"
 #include "report/values/exact_json.hpp"
 #include "report/values/motions_json.hpp"
@@ -20,13 +21,6 @@ namespace {
 std::string outward(const Rational& x, bool up, int digits) {
   const Rational slack = abs(x) * pow(Rational(10), -digits + 1);
   return decimal_text(up ? x + slack : x - slack, digits);
-}
-
-/// A short number exactly, a longer one as a decimal.
-std::string brief(const Rational& x, int digits) {
-  constexpr std::size_t short_enough = 12;
-  const std::string exact = exact_text(x);
-  return exact.size() <= short_enough ? exact : "about " + decimal_text(x, digits);
 }
 
 std::string end_text(const ProvedEnd& end, int digits) {
@@ -63,6 +57,8 @@ class RestText {
     write_decision();
     write_must();
     write_range();
+    if (answer_.map)
+      write_rest_map(document_.section("Map of " + answer_.map->x + " and " + answer_.map->y), answer_, digits_);
     document_.status("s " + rest_verdict(answer_));
     return std::move(document_);
   }
@@ -168,7 +164,7 @@ class RestText {
     if (const auto& loads = answer_.loads) {
       fact(m_.load->symbol, loads->none       ? "it rests at no value"
                             : !loads->decided ? "no end was found"
-                                              : "it can rest " + range_text(loads->from, loads->to, digits_));
+                                              : "it can rest " + range_text(loads->from, loads->to, digits_) + uncut());
     }
     if (const auto& tilt = answer_.tilt) {
       fact("tilt", tilt->none       ? "it does not rest at any, since it does not at 0"
@@ -185,6 +181,15 @@ class RestText {
     }
   }
 
+  /// `; the domain W >= 0 does not cut this`.
+  std::string uncut() const {
+    std::vector<std::string> conditions;
+    for (const PlacedExpression& one : m_.load->domain) {
+      if (one && one.expression->operation != Operation::truth) conditions.push_back(to_string(one.expression));
+    }
+    return conditions.empty() ? "" : "; the domain " + listed(conditions, " and ") + " does not cut this";
+  }
+
   const RestAnswer& answer_;
   const RestDecision& decision_;
   const Mechanism& m_;
@@ -194,23 +199,6 @@ class RestText {
 
 Json end_json(const std::optional<ProvedEnd>& end) {
   return end ? Json::array({to_json(end->lower), to_json(end->upper)}) : Json(nullptr);
-}
-
-Json named(const std::vector<std::string>& names, const std::vector<Rational>& values) {
-  Json result = Json::object();
-  for (std::size_t i = 0; i < names.size(); ++i) result[names[i]] = to_json(values[i]);
-  return result;
-}
-
-Json virtual_motion_json(const RestProblem& problem, const std::optional<VirtualMotion>& motion) {
-  if (!motion) return nullptr;
-  Json result{{"power", to_json(motion->power)}, {"motion", named(problem.rows, motion->rates)}};
-  if (!problem.limits.empty()) {
-    std::vector<std::string> names;
-    for (const RestProblem::Limit& limit : problem.limits) names.push_back(limit.name);
-    result["rubbing"] = named(names, motion->rubbing);
-  }
-  return result;
 }
 
 Json other_motions(const RestAnswer& answer) {
@@ -253,7 +241,7 @@ std::string rest_json(const RestAnswer& answer) {
   document["touching"] = decision.touching;
   document["must_rest"] = truth(answer.must.must);
   document["must_rest_because"] = answer.must.because;
-  document["forces"] = decision.forces.empty() ? Json(nullptr) : named(answer.problem.forces, decision.forces);
+  document["forces"] = decision.forces.empty() ? Json(nullptr) : named_json(answer.problem.forces, decision.forces);
   document["why_not"] = virtual_motion_json(answer.problem, decision.fall);
   document["border"] = virtual_motion_json(answer.problem, decision.border);
   document["other_motions"] = other_motions(answer);
@@ -274,6 +262,7 @@ std::string rest_json(const RestAnswer& answer) {
     document["parameter"] = {{"name", p->name},       {"value", to_json(p->value)}, {"from", end_json(p->from)},
                              {"to", end_json(p->to)}, {"monotone", p->monotone},    {"none", p->none}};
   }
+  document["map"] = answer.map ? rest_map_json(answer) : Json(nullptr);
   document["programs"] = answer.programs;
   return json_text(document);
 }

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "base/input/diagnostic.hpp"
-#include "base/number/parse.hpp"
 #include "base/output/output_file.hpp"
 #include "faces/cli/command.hpp"
+#include "faces/cli/load_option.hpp"
 #include "faces/cli/png.hpp"
 #include "faces/cli/warnings.hpp"
 #include "mechanics/planes/mechanism_plane.hpp"
@@ -27,22 +27,6 @@ struct MapArguments {
   std::size_t columns = 240;
   bool svg = false, png = false;
 };
-
-/// Sets the ends of a range. The check of the option has made sure that they are numbers.
-void set_range(const std::vector<std::string>& texts, std::optional<Rational>& from, std::optional<Rational>& to) {
-  if (texts.empty()) return;
-  from = parse_rational(texts[0]);
-  to = parse_rational(texts[1]);
-}
-
-std::string number_or_complaint(const std::string& text) {
-  try {
-    parse_rational(text);
-    return {};
-  } catch (const NumberError& error) {
-    return error.what();
-  }
-}
 
 /// An option that gives the format goes before the file's name.
 void expect_map_name(const MapArguments& options) {
@@ -106,10 +90,8 @@ void add_map(CLI::App& app, int& exit_code) {
       "coefficient of friction");
   command.add_option("--y", options->y,
                      "The load: any parameter that multiplies no unknown; default: the mechanism's own load");
-  command.add_option("--x-range", options->x_range, "FROM TO of the parameter; for an angle in degrees")
-      ->expected(2)
-      ->check(number_or_complaint);
-  command.add_option("--y-range", options->y_range, "FROM TO of the load")->expected(2)->check(number_or_complaint);
+  add_range_option(command, "--x-range", options->x_range, "FROM TO of the parameter; for an angle in degrees");
+  add_range_option(command, "--y-range", options->y_range, "FROM TO of the load");
   command.add_option("--columns", options->columns, "Evenly spaced values of the parameter")
       ->check(whole_number(2, 10'000))
       ->capture_default_str();

@@ -13,7 +13,9 @@
 #include "contact/rest/rest_certificate.hpp"
 #include "faces/cli/command.hpp"
 #include "faces/cli/load_option.hpp"
+#include "faces/cli/png.hpp"
 #include "faces/cli/warnings.hpp"
+#include "report/planes/rest_map_svg.hpp"
 #include "report/scenes/rest_report.hpp"
 
 namespace slipproof::cli {
@@ -22,7 +24,8 @@ namespace {
 
 struct RestArguments {
   CommonOptions common;
-  std::string scene, load, tilt, parameter, certificate;
+  std::string scene, load, tilt, parameter, certificate, out;
+  std::vector<std::string> map, x_range, y_range;
   std::vector<std::string> fail_on{"cannot-rest"};
   std::uint64_t effort = RestQuestions().effort;
   int digits = 6;
@@ -65,6 +68,18 @@ int exit_code_of(const RestAnswer& answer, const std::vector<std::string>& fail_
   return success;
 }
 
+RestMapQuestion map_question(const RestArguments& arguments) {
+  RestMapQuestion question{arguments.map[0], arguments.map[1], {}, {}};
+  set_range(arguments.x_range, question.x_frame.from, question.x_frame.to);
+  set_range(arguments.y_range, question.y_frame.from, question.y_frame.to);
+  for (const RestMap::Frame* frame : {&question.x_frame, &question.y_frame}) {
+    if (frame->from && *frame->from >= *frame->to) {
+      throw CLI::ValidationError("--map", "found a range that ends where it begins, expected FROM below TO");
+    }
+  }
+  return question;
+}
+
 int answer(const RestArguments& arguments, bool tilts) {
   MechanismScene scene = at_load(read_scene(arguments.scene, Dimensions::any), arguments.load);
   RestQuestions questions;
@@ -76,16 +91,24 @@ int answer(const RestArguments& arguments, bool tilts) {
   }
   questions.parameter = arguments.parameter;
   questions.effort = arguments.effort;
+  if (!arguments.map.empty()) questions.map = map_question(arguments);
   print_warnings(scene, arguments.common);
   std::optional<OutputFile> certificate;
   if (!arguments.certificate.empty()) {
     certificate.emplace(arguments.certificate, Inputs{arguments.scene, scene.mechanism.file});
   }
+  expect_picture_name(arguments.out);
+  std::optional<OutputFile> out;
+  if (!arguments.out.empty()) out.emplace(arguments.out, Inputs{arguments.scene, scene.mechanism.file});
   const RestAnswer found = find_rest(std::move(scene), questions);
   if (certificate) {
     const std::string text = rest_certificate(found);
     if (text.empty()) refuse(arguments, "nothing is proved about its rest, expected a proof for a certificate");
     certificate->write(text);
+  }
+  if (out) {
+    if (!found.map) refuse(arguments, "the effort was not enough for a map");
+    out->write(picture_for(arguments.out, rest_map_svg_file(found)));
   }
   print_report(
       arguments.common, [&] { return rest_json(found); }, [&] { return rest_document(found, arguments.digits); });
@@ -105,6 +128,15 @@ void add_rest(CLI::App& app, int& exit_code) {
                                       "right\nhand; in the plane the axis is left out")
                           ->expected(0, 1);
   command.add_option("--parameter", options->parameter, "Find the values of a parameter at which it can rest");
+  CLI::Option* map = command
+                         .add_option("--map", options->map,
+                                     "X Y: find the region of two loads in which it can rest: parameters that multiply "
+                                     "no unknown")
+                         ->expected(2);
+  add_range_option(command, "--x-range", options->x_range, "FROM TO of the map's X");
+  add_range_option(command, "--y-range", options->y_range, "FROM TO of the map's Y");
+  for (const char* range : {"--x-range", "--y-range"}) command.get_option(range)->needs(map);
+  command.add_option("-o,--out", options->out, "Draw the map to this file, .svg or .png")->needs(map);
   command
       .add_option("--fail-on", options->fail_on,
                   "What ends with exit code 1: some of cannot-rest (the default), touching,\ncan-move (or not proved "

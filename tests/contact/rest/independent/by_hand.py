@@ -58,6 +58,22 @@ def root(told):
     return arch(lower) * arch(upper) <= 0 and upper - lower <= NARROW
 
 
+def table(a, b, c, d):
+    """Where neighbours among the lines (p, q, r), p H + q P = r, cross."""
+    lines = [a, b, c, d]
+    found = set()
+    for (p, q, r), (s, t, u) in zip(lines, lines[1:] + lines[:1]):
+        found.add(((r * t - q * u) / (p * t - q * s), (p * u - r * s) / (p * t - q * s)))
+    return found
+
+
+def corners(told):
+    return {(F(c["x"]), F(c["y"])) for c in told["inside"]}
+
+
+# m g = 80, b = 2/5, c = h = 4/5, mu = 1/4: it slides to the right, tips about its right foot, slides to the left, tips about
+# its left foot.
+TABLE = table((F(1), F(-1, 4), F(20)), (F(1), F(1, 2), F(40)), (F(-1), F(-1, 4), F(20)), (F(-1), F(-3, 2), F(40)))
 LADDER = ladder(F(10), F(1, 4), F(1, 5), F(12, 5), F(2), F(1))
 POINTED = pointed_ladder(F(10), F(7, 20), F(12, 5), F(3, 2), F(1, 4))
 LEAST, MOST = flying_buttress(F(20000), F(2000), F(60000), F(7, 10))
@@ -85,6 +101,8 @@ QUESTIONS = [
     ("block-on-slope", ["--parameter", "mu_s"], "mu_s from 3/4", lambda a: number(a["parameter"]["from"], F(3, 4))),
     ("block-on-board", ["--tilt", "0,1,0"], "tips at 1/3", lambda a: a["can_rest"] and number(a["tilt"]["tangent"], F(1, 3))),
     ("block-on-board", ["--tilt", "1,0,0"], "slides at 1/2", lambda a: number(a["tilt"]["tangent"], F(1, 2))),
+    ("table-pulled-at-its-edge", ["--map", "H", "P"], f"corners {TABLE}",
+     lambda a: a["map"]["exact"] and corners(a["map"]) == TABLE and len(a["map"]["borders"]) == 4),
     ("block-on-board", ["--tilt", "3/5,4/5,0"], "tips at 5/12", lambda a: number(a["tilt"]["tangent"], F(5, 12))),
 ]
 
