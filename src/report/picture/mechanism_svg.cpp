@@ -50,7 +50,7 @@ class MechanismDrawing {
     const double apart = lettered() ? 0.8 * closest() : longest_force;
     MechanismArrows arrows(svg_,
                            {scene_, motion_, geometry_, numbers_, view_, std::clamp(apart, 12.0, longest_force),
-                            look_.largest_force, !lettered()},
+                            look_.largest_force, !lettered(), look_.is_virtual},
                            labels_);
     arrows.draw();
     for (const Point& end : arrows.ends()) see(end);
@@ -226,7 +226,10 @@ class MechanismDrawing {
     const bool slides = std::ranges::any_of(scene_.values.starts, [](ElementKind::Start start) {
       return start == ElementKind::Start::slides_forward || start == ElementKind::Start::slides_backward;
     });
-    if (slides || !geometry_.movements.empty()) notes.emplace_back("green: how it moves before");
+    if (look_.is_virtual)
+      notes.emplace_back("green: the virtual motion");
+    else if (slides || !geometry_.movements.empty())
+      notes.emplace_back("green: how it moves before");
     return notes;
   }
   static bool has_direction(const MechanismGeometry::Contact& contact) {
@@ -286,12 +289,12 @@ Element add_mechanism(const Element& parent, const MechanismScene& scene, const 
   return svg;
 }
 
-std::string mechanism_svg_file(const MechanismScene& scene, const MotionAtLoad* motion) {
+std::string mechanism_svg_file(const MechanismScene& scene, const MotionAtLoad* motion, const CommonLook& look,
+                               const std::string& heading) {
   expect_picture(scene);
-  const std::string modes = motion == nullptr ? std::string() : modes_text(*motion);
+  const std::string modes = !heading.empty() ? heading : motion == nullptr ? std::string() : modes_text(*motion);
   return picture_file(scene.name + (modes.empty() ? "" : ": " + modes), 1.6, [&](const Element& svg) {
-    const CommonLook alone;
-    MechanismDrawing drawing(svg, scene, motion, alone);
+    MechanismDrawing drawing(svg, scene, motion, look);
     drawing.draw();
     drawing.caption();
     drawing.heading(scene.name, modes);

@@ -21,6 +21,7 @@ struct CommonLook {
   std::optional<NumberWords> numbers;  ///< nothing: those of the picture's own motion
   double largest_force = 0;            ///< the one with the longest arrow; 0: the largest of the picture
   bool brief = false;                  ///< leaves out what is listed below the drawing
+  bool is_virtual = false;             ///< velocities are those of a virtual motion, and dotted
 };
 
 /// The largest force of a motion that has an arrow.
@@ -41,7 +42,9 @@ double picture_height(const MechanismScene& scene, double usual);
 Element add_mechanism(const Element& parent, const MechanismScene& scene, const MotionAtLoad* motion,
                       std::string_view title, const CommonLook& look = {}, LabelBox* seen = nullptr);
 
-/// The same as an SVG file of its own, with a title, and with a background for light and dark displays.
-std::string mechanism_svg_file(const MechanismScene& scene, const MotionAtLoad* motion);
+/// The same as an SVG file of its own, with a title, and with a background for light and dark displays. Below the title
+/// stands the heading; if it is empty, the modes of the motion.
+std::string mechanism_svg_file(const MechanismScene& scene, const MotionAtLoad* motion, const CommonLook& look = {},
+                               const std::string& heading = {});
 
 }  // namespace slipproof

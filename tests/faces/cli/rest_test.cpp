@@ -48,6 +48,34 @@ TEST_CASE("what rest proves is in a certificate that the checker accepts") {
   }
 }
 
+TEST_CASE("rest maps two loads, and draws the map") {
+  const slipproof::test::TemporaryFolder folder;
+  const std::string table = SLIPPROOF_SOURCE_DIR "/cases/rest/table-pulled-at-its-edge.toml";
+  const std::string picture = (folder.path() / "map.svg").string();
+  const auto document = nlohmann::json::parse(run({"rest", table, "--map", "H", "P", "-o", picture, "--json"}).out);
+  const auto& map = document["map"];
+  CHECK(map["exact"] == true);
+  CHECK(map["inside"].size() == 4);
+  CHECK(map["borders"].size() == 4);
+  CHECK(map["inside"][0]["forces"].contains("N_left"));
+  CHECK(map["borders"][0]["motion"].contains("alpha"));
+  CHECK(slipproof::test::read_file(picture).find("a table that is pulled") != std::string::npos);
+  CHECK(run({"rest", table, "--map", "H", "mu"}).exit_code == 3);
+  CHECK(run({"rest", table, "--map", "H"}).exit_code == 2);
+  CHECK(run({"rest", table, "-o", picture}).exit_code == 2);
+  CHECK(run({"rest", table, "--map", "H", "P", "--x-range", "3", "2"}).exit_code == 2);
+}
+
+TEST_CASE("draw shows the forces that hold a scene, or the virtual motion that proves its fall") {
+  const std::string scene = rest_scenes + "block-on-incline.toml";
+  CHECK(run({"draw", scene, "--motion", "rest", "--load", "0"}).out.find("forces that hold it") != std::string::npos);
+  const std::string falls = run({"draw", scene, "--motion", "rest", "--load", "200"}).out;
+  CHECK(falls.find("a virtual motion that proves its fall") != std::string::npos);
+  CHECK(falls.find("green: the virtual motion") != std::string::npos);
+  const std::string space = SLIPPROOF_SOURCE_DIR "/cases/rest/three-legged-table.toml";
+  CHECK(run({"draw", space, "--motion", "rest", "--load", "100"}).out.find("proves its fall") != std::string::npos);
+}
+
 TEST_CASE("rest refuses what moves, and questions that a scene does not fit") {
   const auto moves = run({"rest", rest_scenes + "painleve-rod.toml"});
   CHECK(moves.exit_code == 3);

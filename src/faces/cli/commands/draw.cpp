@@ -11,6 +11,7 @@
 #include "base/input/diagnostic.hpp"
 #include "base/number/format.hpp"
 #include "base/output/output_file.hpp"
+#include "contact/rest/rest.hpp"
 #include "contact/space/solve_space.hpp"
 #include "faces/cli/command.hpp"
 #include "faces/cli/load_option.hpp"
@@ -19,6 +20,7 @@
 #include "mechanics/scene/solve_mechanism.hpp"
 #include "report/picture/mechanism_svg.hpp"
 #include "report/picture/motions_svg.hpp"
+#include "report/picture/rest_svg.hpp"
 #include "report/picture/space/space_svg.hpp"
 #include "report/picture/space/space_view.hpp"
 
@@ -26,12 +28,12 @@ namespace slipproof::cli {
 
 namespace {
 
-constexpr std::string_view every_motion = "all";
+constexpr std::string_view every_motion = "all", at_rest = "rest";
 
 struct DrawArguments {
   CommonOptions common;
   std::string scene, out, load;
-  std::string motion;  ///< a number from 1, or every_motion; empty: none
+  std::string motion;  ///< a number from 1, every_motion, or at_rest; empty: none
   std::string from;    ///< where one looks at a scene in space from; empty: usual_view
 };
 
@@ -95,6 +97,12 @@ std::string figure_in_space(MechanismScene scene, const DrawArguments& arguments
 std::string figure_of(MechanismScene scene, const DrawArguments& arguments) {
   print_warnings(scene, arguments.common);
   scene = at_load(scene, arguments.load);
+  if (arguments.motion == at_rest) {
+    RestQuestions questions;
+    questions.only_whether = true;
+    return rest_svg_file(find_rest(std::move(scene), questions),
+                         view_direction(arguments.from.empty() ? usual_view : arguments.from));
+  }
   if (scene.mechanism.dimension == 3) return figure_in_space(std::move(scene), arguments);
   if (!arguments.from.empty())
     refuse(arguments, "found --from, but the scene is in the plane, which is drawn as it is");
@@ -116,11 +124,13 @@ CLI::Validator view_choice() {
       "X,Y,Z|DEGREES,DEGREES");
 }
 
-/// `all`, or a number from 1.
+/// `all`, `rest`, or a number from 1.
 CLI::Validator motion_choice() {
   return CLI::Validator(
-      [](std::string& text) { return text == every_motion ? std::string() : whole_number(1, 1'000'000)(text); },
-      "NUMBER|all");
+      [](std::string& text) {
+        return text == every_motion || text == at_rest ? std::string() : whole_number(1, 1'000'000)(text);
+      },
+      "NUMBER|all|rest");
 }
 
 }  // namespace
@@ -133,7 +143,9 @@ void add_draw(CLI::App& app, int& exit_code) {
   command
       .add_option("--motion", options->motion,
                   "Draw the forces of this motion, as `solve` numbers them, from 1; of a scene without a load, of the "
-                  "mode that `solve` lists there; `all`: all motions side by side; default: forces in their positive "
+                  "mode that `solve` lists there; `all`: all motions side by side; `rest`: the forces that hold it at "
+                  "rest, or the virtual motion that "
+                  "proves its fall; default: forces in their positive "
                   "directions")
       ->check(motion_choice());
   add_load_option(command, options->load);

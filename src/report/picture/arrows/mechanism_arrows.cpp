@@ -221,7 +221,7 @@ void MechanismArrows::movement(const MechanismGeometry::Movement& movement, doub
   if (speed > 0) {
     const Point way{movement.velocity[0] / speed, movement.velocity[1] / speed};
     const Point end = moved(at, way, longest_velocity * speed / fastest);
-    add_arrow(svg_, at, end[0] - at[0], end[1] - at[1], "moves");
+    add_arrow(svg_, at, end[0] - at[0], end[1] - at[1], "moves", in_.is_virtual ? ArrowLine::dotted : ArrowLine::solid);
     see(at, end);
     if (named) labels_.words({end, halfway(at, end)}, "v " + rounded_value(speed));
     described_.push_back(movement.body + " moves with " + fmt::format("{:.4g}", speed));

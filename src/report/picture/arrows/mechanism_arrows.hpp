@@ -37,9 +37,10 @@ class MechanismArrows {
     const MechanismGeometry& geometry;
     const NumberWords& numbers;
     PictureView view;
-    double longest = 0;  ///< in pixels, of the largest force
-    double largest = 0;  ///< that force; 0: the largest of the motion
-    bool names = true;   ///< beside each; otherwise whoever draws says them elsewhere
+    double longest = 0;       ///< in pixels, of the largest force
+    double largest = 0;       ///< that force; 0: the largest of the motion
+    bool names = true;        ///< beside each; otherwise whoever draws says them elsewhere
+    bool is_virtual = false;  ///< velocities are dotted
   };
   MechanismArrows(const Element& svg, const Input& input, PictureLabels& labels);
 

@@ -180,10 +180,11 @@ class SpacePicture {
   std::set<SpaceSign> signs_;
 };
 
-std::string single_file(const MechanismScene& scene, const SpaceMotion* motion, const Vec3& from) {
+std::string single_file(const MechanismScene& scene, const SpaceMotion* motion, const Vec3& from,
+                        const std::string& heading) {
   const std::vector<SpaceMotion> shown = motion == nullptr ? std::vector<SpaceMotion>{} : std::vector{*motion};
   SpacePicture picture(scene, shown, from);
-  const std::string mode = motion == nullptr ? "" : heading_of(*motion);
+  const std::string mode = !heading.empty() ? heading : motion == nullptr ? "" : heading_of(*motion);
   return picture_file(
       scene.name + (mode.empty() ? "" : ": " + mode), 1.6,
       [&](const Element& svg) {
@@ -215,11 +216,12 @@ std::string counted_in_space(const SolvedSpace& solved, const SpaceNumbers& numb
 }  // namespace
 
 std::string space_svg_file(const MechanismScene& scene, const Vec3& from) {
-  return single_file(scene, nullptr, from);
+  return single_file(scene, nullptr, from, {});
 }
 
-std::string space_svg_file(const SolvedSpace& solved, std::size_t motion, const Vec3& from) {
-  return single_file(solved.scene, &solved.motions[motion], from);
+std::string space_svg_file(const SolvedSpace& solved, std::size_t motion, const Vec3& from,
+                           const std::string& heading) {
+  return single_file(solved.scene, &solved.motions[motion], from, heading);
 }
 
 std::string space_model_json(const SolvedSpace& solved) {

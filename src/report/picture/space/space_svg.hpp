@@ -17,8 +17,9 @@ namespace slipproof {
 /// Without a motion, arrows show the positive directions of N, T1 and T2. Throws InputError if a coordinate has no
 /// value, or nothing has a place.
 std::string space_svg_file(const MechanismScene& scene, const Vec3& from);
-/// The same with a motion of the scene's.
-std::string space_svg_file(const SolvedSpace& solved, std::size_t motion, const Vec3& from);
+/// The same with a motion of the scene's; under a heading, or under its mode.
+std::string space_svg_file(const SolvedSpace& solved, std::size_t motion, const Vec3& from,
+                           const std::string& heading = {});
 
 /// All motions side by side, each with what it is: its mode, one of a continuum, forces open.
 std::string space_motions_svg_file(const SolvedSpace& solved, const Vec3& from);
