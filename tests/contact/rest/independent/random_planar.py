@@ -163,7 +163,7 @@ def linkage(random, s, size):
         foot = head
 
 
-MOST_CONTACTS = 64  # that a mechanism file may have
+MOST_CONTACTS = 400  # more make the comparison slow
 KINDS = [pile, wall, rods, arch, anywhere, linkage]
 
 
