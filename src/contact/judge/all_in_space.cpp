@@ -186,6 +186,7 @@ FoundSolution solution_of(const CompleteSolutions& found, std::size_t m) {
   }
   solution.alone = solution.one_motion && are_all;
   solution.modes = {mode_text(motion.mode, scaled.contacts.dimension)};
+  solution.states = motion.mode;
   solution.r = ranges(motion.r, motion.r_radius, scaled.force_unit);
   solution.u = ranges(motion.u, motion.u_radius, scaled.velocity_unit);
   if (!found.within[m].empty()) solution.around = ranges(place_of(found, m), scaled.velocity_unit);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/number/rational.hpp"
+#include "contact/complete/pattern.hpp"
 #include "contact/judge/verdict.hpp"
 #include "mechanics/kernel/polyhedron.hpp"
 
@@ -15,6 +16,7 @@ namespace slipproof {
 /// A solution, or a family of solutions of one mode.
 struct FoundSolution {
   std::vector<std::string> modes;  ///< `slip+/lift`: all that give it
+  ContactPattern states;           ///< of the contacts in the first of them, if a tree of patterns has found it
   /// Forces and velocities of the contacts, without free unknowns, by contact and component. Where they are known
   /// exactly, each range is a point. Of a family: one of its solutions, the nearest to the answer if one is given.
   std::vector<Range> r, u;

@@ -1,4 +1,4 @@
-// The option --load of commands that answer at one load of a scene.
+// Options that are numbers; --load of commands that answer at one load of a scene.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,6 +7,9 @@
 #include "mechanics/scene/scene.hpp"
 
 namespace slipproof::cli {
+
+/// An option's exact number. Throws CLI::ValidationError.
+Rational number_of(const std::string& option, const std::string& text);
 
 /// `load` stays empty without the option.
 void add_load_option(CLI::App& command, std::string& load);

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "base/input/diagnostic.hpp"
-#include "base/number/parse.hpp"
 #include "base/output/output_file.hpp"
 #include "contact/rest/rest_certificate.hpp"
 #include "faces/cli/command.hpp"
@@ -30,14 +29,6 @@ struct RestArguments {
 
 [[noreturn]] void refuse(const RestArguments& arguments, const std::string& message) {
   throw InputError({{arguments.scene, 0, 0, message}});
-}
-
-Rational number_of(const std::string& option, const std::string& text) {
-  try {
-    return parse_rational(text);
-  } catch (const NumberError& error) {
-    throw CLI::ValidationError(option, error.what());
-  }
 }
 
 /// `x,y,z`; nothing: z, the axis of the plane.
