@@ -29,6 +29,7 @@ struct FoundSolution {
   bool exists = true;               ///< it is proved that a solution is within r and u
   bool one_motion = true;           ///< and that all others there have its velocities
   bool alone = true;                ///< and that there are no others, but those of its family
+  bool may_be_open = false;         ///< it is not known whether its forces are, though open_directions is 0
 
   bool is_family() const { return open_directions > 0 || !others.empty(); }
 };

@@ -56,7 +56,7 @@ class MotionReader {
     motion.exists = found.exists;
     motion.unique = found.one_motion && found.others.empty();
     if (!motion.unique && found.others.empty()) motion.others_within = distance_of_others(found);
-    motion.open_directions = found.open_directions;
+    motion.open_directions = found.may_be_open ? std::nullopt : std::optional(found.open_directions);
     motion.strict = found.strict;
     motion.modes.assign(m_.contacts.size(), "lift");
     motion.slips.resize(m_.contacts.size());

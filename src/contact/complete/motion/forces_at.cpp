@@ -1,5 +1,7 @@
 #include "contact/complete/motion/forces_at.hpp"
 
+#include <cmath>
+
 namespace slipproof {
 
 namespace {
@@ -218,6 +220,31 @@ ForceFamily forces_at(const ExactContacts& contacts, const SpatialMotion& motion
   if (open > family.open_directions) family = {std::move(*r), open, false};
   family.are_all = rays.are_all() || (rays.has_all_directions() && open == most);
   return family;
+}
+
+std::optional<SpatialMotion> pressing_motion(const ExactContacts& contacts, const SpatialMotion& motion) {
+  constexpr int arc_bits = 20;
+  constexpr double arc = 0x1p-12;
+  using Kind = ContactState::Kind;
+  ContactPattern mode = motion.mode;
+  for (std::size_t k = 0; k < mode.size(); ++k) {
+    if (!motion.touching.empty() && motion.touching[k]) {
+      const Rational square = square_of_tangent(contacts, motion.u, k);
+      mode[k].kind = !contacts.has_friction(k) ? Kind::closed : square.is_zero() ? Kind::stick : Kind::slip;
+    }
+    if (mode[k].kind != Kind::slip || contacts.dimension < 3) continue;
+    const std::size_t i = contacts.normal(k);
+    const double angle = std::atan2(motion.u[i + 2].to_double(), motion.u[i + 1].to_double());
+    mode[k].from = Direction::near(angle - arc, arc_bits);
+    mode[k].to = Direction::near(angle + arc, arc_bits);
+  }
+  const IntegerContacts integers(contacts);
+  const FloatingContacts floating(contacts);
+  PatternProgram program(contacts, integers, floating, mode, PatternProgram::Cones::within);
+  if (!program.feasibility().point) return std::nullopt;
+  auto found = find_motion(contacts, floating, mode, program.middle(), [](std::span<const double>) { return false; });
+  if (!found.motion || found.motion->differs(motion) || !found.motion->touching.empty()) return std::nullopt;
+  return found.motion;
 }
 
 std::optional<SpatialMotion> rest_by_short_forces(const ExactContacts& contacts) {

@@ -65,7 +65,11 @@ std::string kind_of(const SpaceMotion& motion) {
   } else if (motion.is_continuum()) {
     words.emplace_back("one of a continuum");
   }
-  if (motion.open_directions > 0) words.push_back("forces open along " + counted(motion.open_directions, "direction"));
+  if (!motion.open_directions) {
+    words.emplace_back("forces may be open");
+  } else if (motion.may_be_open()) {
+    words.push_back("forces open along " + counted(*motion.open_directions, "direction"));
+  }
   return listed(words);
 }
 
