@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "base/number/parse.hpp"
+#include "faces/cli/command.hpp"
 
 namespace slipproof::cli {
 
@@ -14,8 +15,31 @@ Rational number_of(const std::string& option, const std::string& text) {
   }
 }
 
+void add_range_option(CLI::App& command, const std::string& name, std::vector<std::string>& texts,
+                      const std::string& description) {
+  command.add_option(name, texts, description)->expected(2)->check([](const std::string& text) {
+    try {
+      parse_rational(text);
+      return std::string();
+    } catch (const NumberError& error) {
+      return std::string(error.what());
+    }
+  });
+}
+
+std::array<std::optional<Rational>, 2> range_of(const std::vector<std::string>& texts) {
+  if (texts.empty()) return {};
+  return {parse_rational(texts[0]), parse_rational(texts[1])};
+}
+
 void add_load_option(CLI::App& command, std::string& load) {
   command.add_option("--load", load, "The value of the load, in place of the scene's, such as 7/4");
+}
+
+void add_place_effort_option(CLI::App& command, std::uint64_t& effort) {
+  command.add_option("--effort", effort, "In space: operations on words that each place may take")
+      ->check(whole_number(1))
+      ->capture_default_str();
 }
 
 MechanismScene at_load(const MechanismScene& scene, const std::string& load) {
