@@ -1,10 +1,12 @@
 #include "contact/space/space_plane.hpp"
 
 #include <algorithm>
+#include <memory>
 
 #include "base/input/diagnostic.hpp"
 #include "contact/space/solve_space.hpp"
 #include "contact/space/space_problem.hpp"
+#include "mechanics/family/freed_scene.hpp"
 #include "mechanics/planes/axis_choice.hpp"
 
 namespace slipproof {

@@ -5,11 +5,12 @@
 #include <optional>
 #include <string>
 
-#include "mechanics/family/freed_scene.hpp"
 #include "mechanics/planes/phase_diagram.hpp"
 #include "mechanics/scene/scene.hpp"
 
 namespace slipproof {
+
+class FreedScene;
 
 /// The requested axes of a plane. What is not given is chosen from the scene and the domain.
 struct MechanismAxes {

@@ -104,6 +104,27 @@ TEST_CASE("map draws a scene, as SVG, as PNG where it can, and as exact data") {
   CHECK(document["columns"].front()["x"] == "1/2");
 }
 
+TEST_CASE("map and critical follow a scene in space at single values") {
+  const std::string scene = SLIPPROOF_SOURCE_DIR "/cases/space/mapped/leaning-rod.toml";
+  const auto json = run({"map", scene, "--columns", "2", "--rows", "3", "--y-range", "0", "6", "--json"});
+  CHECK(json.exit_code == 0);
+  const Json document = Json::parse(json.out);
+  CHECK(document["columns"].size() == 2);
+  CHECK(document["columns"][1]["complete"] == true);
+  CHECK(document["columns"][1]["places"][1]["motions"] == Json({"lift", "stick"}));  // at mu = 3/2, F = 3
+  CHECK(run({"map", scene, "--columns", "2", "--rows", "2", "--effort", "1"}).exit_code == 4);
+  CHECK(run({"map", city_bicycle, "--rows", "2"}).err.find("--rows") != std::string::npos);
+  const auto text = run({"critical", scene, "--x", "mu", "--x-range", "1/2", "2", "--columns", "3"});
+  CHECK(text.exit_code == 0);
+  CHECK(text.out.find("1 motion: lift") != std::string::npos);
+  CHECK(text.out.find("s COMPLETE changes ") != std::string::npos);
+  const Json along =
+      Json::parse(run({"critical", scene, "--x-range", "1/2", "2", "--columns", "3", "--load", "1", "--json"}).out);
+  CHECK(along["complete"] == true);
+  CHECK(along["load"]["value"] == "1");
+  CHECK(run({"critical", city_bicycle, "--load", "1"}).exit_code == 2);
+}
+
 TEST_CASE("map refuses what it cannot draw, in words") {
   CHECK(run({"map", city_bicycle, "--x", "frog"}).exit_code == 3);
   CHECK(run({"map", city_bicycle, "--y", "f"}).err.find("multiplies") != std::string::npos);
