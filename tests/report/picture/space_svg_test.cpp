@@ -296,9 +296,9 @@ length = "3"
   const std::string text = all_text(plain.tree.document_element());
   CHECK(text.find("T = 10") != std::string::npos);
   CHECK(text.find("N = ") == std::string::npos);
-  CHECK(text.find("v 1 m/s") == std::string::npos);
+  CHECK(text.find("v = 1 m/s") == std::string::npos);
   CHECK(plain.tree.select_nodes("//text[starts-with(.,'cord') and @class='soft halo']").size() == 1);
-  CHECK(all_text(picture(", unit = \"m\"").tree.document_element()).find("v 1 m/s") != std::string::npos);
+  CHECK(all_text(picture(", unit = \"m\"").tree.document_element()).find("v = 1 m/s") != std::string::npos);
 }
 
 TEST_CASE("motions side by side say what they are, each with all of its contacts") {

@@ -272,7 +272,7 @@ void SpaceArrows::straight(const Vec3& at, const Vec3& way, bool before, const s
   describe(name, words);
 }
 
-/// `v 3 m/s`; with several bodies `cart: v 3 m/s`.
+/// `v = 3 m/s`; with several bodies `cart: v = 3 m/s`.
 std::string SpaceArrows::quantity(const std::string& symbol, double value, const std::string& unit,
                                   const std::string& body) const {
   std::string words = symbol + " " + rounded_value(value) + (in_.geometry.has_units ? " " + unit : "");
