@@ -31,9 +31,9 @@ class SolutionSearch {
     found_.nodes.push_back(root);
     std::vector<std::size_t> level{0};
     if (is_without_friction(std::vector<Rational>(exact_.size()))) level.clear();
-    bool small = exact_.dimension == 3;
+    bool seeks_rest = exact_.dimension == 3;
     while (!level.empty() && found_.nodes.size() < options_.most_nodes && work_with(level.size()) <= options_.effort) {
-      if (small && found_.nodes.size() > few_nodes) small = false, find_rest();
+      if (seeks_rest && found_.nodes.size() > few_nodes) seeks_rest = false, find_rest();
       const std::size_t known = found_.motions.size();
       if (options_.progress) options_.progress({found_.nodes.size(), level.size(), known});
       level = next_generation(level);
@@ -80,10 +80,7 @@ class SolutionSearch {
 
   /// Rest, where patterns become many: with several bodies the search may end before it comes to where all stick.
   void find_rest() {
-    ContactPattern pattern(exact_.contacts());
-    for (std::size_t k = 0; k < pattern.size(); ++k) {
-      pattern[k].kind = exact_.has_friction(k) ? Kind::stick : Kind::closed;
-    }
+    const ContactPattern pattern = rest_pattern(exact_);
     Visit visit;
     PatternProgram program(exact_, problem_.integers, problem_.floating, pattern, PatternProgram::Cones::within);
     if (program.feasibility().point) find_from(pattern, program.middle(), visit);

@@ -59,6 +59,14 @@ Integer cross(const Direction& a, const Direction& b) {
   return a.x * b.y - a.y * b.x;
 }
 
+ContactPattern rest_pattern(const ExactContacts& contacts) {
+  ContactPattern pattern(contacts.contacts());
+  for (std::size_t k = 0; k < pattern.size(); ++k) {
+    pattern[k].kind = contacts.has_friction(k) ? ContactState::Kind::stick : ContactState::Kind::closed;
+  }
+  return pattern;
+}
+
 bool is_decided(const ExactContacts& contacts, const ContactPattern& pattern, std::size_t k) {
   using Kind = ContactState::Kind;
   const Kind kind = pattern[k].kind;

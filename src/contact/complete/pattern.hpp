@@ -46,6 +46,9 @@ struct ContactState {
 
 using ContactPattern = std::vector<ContactState>;
 
+/// All contacts stick, or are closed where they have no friction.
+ContactPattern rest_pattern(const ExactContacts& contacts);
+
 /// Whether nothing but a direction is left to decide about a contact.
 bool is_decided(const ExactContacts& contacts, const ContactPattern& pattern, std::size_t contact);
 /// About any contact.

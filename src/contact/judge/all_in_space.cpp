@@ -183,9 +183,14 @@ FoundSolution solution_of(const CompleteSolutions& found, std::size_t m) {
     ForceFamily family = forces_at(scaled.contacts, motion);
     are_all = family.are_all || family.open_directions > 0;
     motion = by_forces(scaled.contacts, std::move(motion), std::move(family));
+  } else if (!are_all && !motion.touching.empty()) {
+    auto pressing = pressing_motion(scaled.contacts, motion);
+    if (pressing) motion = std::move(*pressing);
   }
   solution.alone = solution.one_motion && are_all;
+  solution.may_be_open = !are_all && motion.open_directions == 0;
   solution.modes = {mode_text(motion.mode, scaled.contacts.dimension)};
+  solution.states = motion.mode;
   solution.r = ranges(motion.r, motion.r_radius, scaled.force_unit);
   solution.u = ranges(motion.u, motion.u_radius, scaled.velocity_unit);
   if (!found.within[m].empty()) solution.around = ranges(place_of(found, m), scaled.velocity_unit);
@@ -231,6 +236,7 @@ AllSolutions all_solutions_of(const SolutionTree& tree) {
       // Motions at the ends of a continuum, where contacts touch without a force, leave nothing open by themselves.
       solution.open_directions =
           std::max({solution.open_directions, found.motions[other].open_directions, std::size_t{1}});
+      solution.may_be_open = false;
     }
   }
   for (const PatternNode& node : found.nodes) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/number/rational.hpp"
+#include "contact/complete/pattern.hpp"
 #include "contact/judge/verdict.hpp"
 #include "mechanics/kernel/polyhedron.hpp"
 
@@ -15,6 +16,7 @@ namespace slipproof {
 /// A solution, or a family of solutions of one mode.
 struct FoundSolution {
   std::vector<std::string> modes;  ///< `slip+/lift`: all that give it
+  ContactPattern states;           ///< of the contacts in the first of them, if a tree of patterns has found it
   /// Forces and velocities of the contacts, without free unknowns, by contact and component. Where they are known
   /// exactly, each range is a point. Of a family: one of its solutions, the nearest to the answer if one is given.
   std::vector<Range> r, u;
@@ -27,6 +29,7 @@ struct FoundSolution {
   bool exists = true;               ///< it is proved that a solution is within r and u
   bool one_motion = true;           ///< and that all others there have its velocities
   bool alone = true;                ///< and that there are no others, but those of its family
+  bool may_be_open = false;         ///< it is not known whether its forces are, though open_directions is 0
 
   bool is_family() const { return open_directions > 0 || !others.empty(); }
 };

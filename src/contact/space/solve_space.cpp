@@ -56,15 +56,16 @@ class MotionReader {
     motion.exists = found.exists;
     motion.unique = found.one_motion && found.others.empty();
     if (!motion.unique && found.others.empty()) motion.others_within = distance_of_others(found);
-    motion.open_directions = found.open_directions;
+    motion.open_directions = found.may_be_open ? std::nullopt : std::optional(found.open_directions);
     motion.strict = found.strict;
-    const std::vector<std::string> states = parts_of(found.modes.front());
     motion.modes.assign(m_.contacts.size(), "lift");
     motion.slips.resize(m_.contacts.size());
     for (std::size_t i = 0; i < m_.contacts.size(); ++i) {
       if (m_.contacts[i].bilateral) motion.modes[i] = "touch";
     }
-    for (std::size_t k = 0; k < states.size(); ++k) add_state(motion, k, states[k], found);
+    for (std::size_t k = 0; k < found.states.size(); ++k) {
+      motion.modes[p_.contacts[k].contact] = state_of(k, found.states[k].kind, found);
+    }
     add_accelerations(motion, found);
     add_forces(motion, found);
     if (motion.is_continuum()) add_continuum(motion, found);
@@ -82,22 +83,14 @@ class MotionReader {
     return largest;
   }
 
-  static std::vector<std::string> parts_of(const std::string& mode) {
-    std::vector<std::string> parts;
-    for (std::size_t from = 0; from < mode.size();) {
-      const std::size_t end = std::min(mode.find('/', from), mode.size());
-      parts.push_back(mode.substr(from, end - from));
-      from = end + 1;
-    }
-    return parts;
-  }
-
-  void add_state(SpaceMotion& motion, std::size_t k, const std::string& state, const FoundSolution& found) const {
-    const SpaceContact& contact = p_.contacts[k];
-    std::string& mode = motion.modes[contact.contact];
+  /// A slip without a speed is none.
+  std::string state_of(std::size_t k, ContactState::Kind kind, const FoundSolution& found) const {
+    using Kind = ContactState::Kind;
+    const bool slides = p_.contacts[k].sliding.has_value();
+    if (kind == Kind::closed) return slides ? "slip" : "touch";
+    if (kind != Kind::slip) return kind == Kind::stick ? "stick" : "lift";
     const auto is_zero = [&](std::size_t i) { return found.u[i].is_point() && found.u[i].lower->is_zero(); };
-    const bool at_rest = !contact.sliding && is_zero(3 * k + 1) && is_zero(3 * k + 2);
-    mode = state == "closed" ? (contact.sliding ? "slip" : "touch") : state == "slip" && at_rest ? "stick" : state;
+    return !slides && is_zero(3 * k + 1) && is_zero(3 * k + 2) ? "stick" : "slip";
   }
 
   void add_slips(SpaceMotion& motion, const std::vector<Range>& u) const {
@@ -200,7 +193,6 @@ SolvedSpace solve_space(MechanismScene scene, const CompleteOptions& options) {
   const MotionReader reader(scene.mechanism, problem, free);
   if (problem.contacts.empty()) {
     FoundSolution none;
-    none.modes = {""};
     none.strict = true;
     solved.motions.push_back(reader.read(none));
   } else {

@@ -26,8 +26,12 @@ struct SpaceMotion {
   /// accelerations of all of it are; a range without an end where that is not bounded.
   std::vector<SpaceMotion> others;
   std::vector<Range> all_accelerations;
-  std::size_t open_directions = 0;  ///< of its forces: those above are some of them
-  bool strict = false;              ///< no condition of its mode holds with equality
+  /// Along how many its forces are open: those above are some of them. Nothing where it is not known whether they are,
+  /// as the directions of slips are no rational numbers.
+  std::optional<std::size_t> open_directions = 0;
+
+  bool may_be_open() const { return open_directions != 0U; }
+  bool strict = false;  ///< no condition of its mode holds with equality
 
   /// Whether it is one of a family that moves in different ways.
   bool is_continuum() const { return !unique && !others_within; }

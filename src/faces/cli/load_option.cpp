@@ -3,30 +3,43 @@
 #include <stdexcept>
 
 #include "base/number/parse.hpp"
+#include "faces/cli/command.hpp"
 
 namespace slipproof::cli {
 
-void add_load_option(CLI::App& command, std::string& load) {
-  command.add_option("--load", load, "The value of the load, in place of the scene's, such as 7/4");
+Rational number_of(const std::string& option, const std::string& text) {
+  try {
+    return parse_rational(text);
+  } catch (const NumberError& error) {
+    throw CLI::ValidationError(option, error.what());
+  }
 }
 
 void add_range_option(CLI::App& command, const std::string& name, std::vector<std::string>& texts,
-                      const std::string& help) {
-  const auto complaint = [](const std::string& text) {
+                      const std::string& description) {
+  command.add_option(name, texts, description)->expected(2)->check([](const std::string& text) {
     try {
       parse_rational(text);
       return std::string();
     } catch (const NumberError& error) {
       return std::string(error.what());
     }
-  };
-  command.add_option(name, texts, help)->expected(2)->check(complaint);
+  });
 }
 
-void set_range(const std::vector<std::string>& texts, std::optional<Rational>& from, std::optional<Rational>& to) {
-  if (texts.empty()) return;
-  from = parse_rational(texts[0]);
-  to = parse_rational(texts[1]);
+std::array<std::optional<Rational>, 2> range_of(const std::vector<std::string>& texts) {
+  if (texts.empty()) return {};
+  return {parse_rational(texts[0]), parse_rational(texts[1])};
+}
+
+void add_load_option(CLI::App& command, std::string& load) {
+  command.add_option("--load", load, "The value of the load, in place of the scene's, such as 7/4");
+}
+
+void add_place_effort_option(CLI::App& command, std::uint64_t& effort) {
+  command.add_option("--effort", effort, "In space: operations on words that each place may take")
+      ->check(whole_number(1))
+      ->capture_default_str();
 }
 
 MechanismScene at_load(const MechanismScene& scene, const std::string& load) {
@@ -35,9 +48,7 @@ MechanismScene at_load(const MechanismScene& scene, const std::string& load) {
     throw CLI::ValidationError("--load", "found a value, but the mechanism has no load, expected no --load");
   }
   try {
-    return with_values(scene, {{scene.mechanism.load->symbol, parse_rational(load)}});
-  } catch (const NumberError& error) {
-    throw CLI::ValidationError("--load", error.what());
+    return with_values(scene, {{scene.mechanism.load->symbol, number_of("--load", load)}});
   } catch (const std::invalid_argument& error) {
     throw CLI::ValidationError("--load", error.what());
   }

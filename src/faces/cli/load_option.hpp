@@ -1,7 +1,9 @@
-// Options with exact numbers: --load of commands that answer at one load of a scene, and ranges.
+// Options that are numbers: --load of commands that answer at one load of a scene, ranges, limits.
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,16 +12,22 @@
 
 namespace slipproof::cli {
 
+/// An option's exact number. Throws CLI::ValidationError.
+Rational number_of(const std::string& option, const std::string& text);
+
+/// An option of two numbers, FROM TO; its texts stay empty without it.
+void add_range_option(CLI::App& command, const std::string& name, std::vector<std::string>& texts,
+                      const std::string& description);
+/// Its ends; nothing without it.
+std::array<std::optional<Rational>, 2> range_of(const std::vector<std::string>& texts);
+
 /// `load` stays empty without the option.
 void add_load_option(CLI::App& command, std::string& load);
+/// In space, of each place of a map or along a parameter.
+void add_place_effort_option(CLI::App& command, std::uint64_t& effort);
+
 /// The scene at that load; as it is if it is empty. Throws CLI::ValidationError where it is no number, or the mechanism
 /// has no load.
 MechanismScene at_load(const MechanismScene& scene, const std::string& load);
-
-/// An option with two numbers, FROM TO.
-void add_range_option(CLI::App& command, const std::string& name, std::vector<std::string>& texts,
-                      const std::string& help);
-/// The ends of such a range; nothing where it is not given.
-void set_range(const std::vector<std::string>& texts, std::optional<Rational>& from, std::optional<Rational>& to);
 
 }  // namespace slipproof::cli

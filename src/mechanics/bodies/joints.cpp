@@ -229,8 +229,9 @@ class JointDerivation {
     const Span rope = span();
     MechanismContact& contact = d_.mechanism.contacts[*joint_.contact];
     contact.gap = d_.derived(negative_of(rope.growth), joint_.place);
-    contact.at = d_.derived(first.place, joint_.place);
-    contact.direction = d_.derived(-rope.along, joint_.place);
+    const bool pulls_first = joint_.first != ground;  // else pictures would show what pulls the ground
+    contact.at = d_.derived(pulls_first ? first.place : second.place, joint_.place);
+    contact.direction = d_.derived(pulls_first ? -rope.along : rope.along, joint_.place);
     d_.geometry.velocities.push_back(
         {*joint_.contact, nullptr, negative_of(rope.rate), nullptr, joint_.state_given, joint_.place});
   }

@@ -77,6 +77,19 @@ AxisChoice::Up AxisChoice::up(const Axis& across) const {
                                           axis.symbol, exact_text(axis.from), exact_text(axis.to), to_string(domain)));
 }
 
+Axis AxisChoice::up_in_space() const {
+  const MechanismLoad& load = *freed_.mechanism().load;
+  const Rational own = scene_.load.value_or(0);
+  if (own.is_zero() && !(wanted_.y_from && wanted_.y_to)) {
+    throw std::invalid_argument("found no load in the scene, or 0, and no range, expected a range of " + load.symbol);
+  }
+  Axis axis{load.symbol, std::min(Rational(0), Rational(2 * own)), std::max(Rational(0), Rational(2 * own)), load.unit};
+  if (wanted_.y_from) axis.from = *wanted_.y_from;
+  if (wanted_.y_to) axis.to = *wanted_.y_to;
+  expect_order(axis.symbol, axis.from, axis.to);
+  return axis;
+}
+
 Rational AxisChoice::end(const std::string& symbol, const Rational& given) const {
   if (!freed_.free().angle) return given;
   if (abs(given) < 180) {

@@ -22,6 +22,8 @@ class AxisChoice {
     std::vector<Rational> beyond;  ///< where something changes outside
   };
   Up up(const Axis& across) const;
+  /// In space, where no problem has all loads: those that are wanted, or from 0 to twice the scene's.
+  Axis up_in_space() const;
 
  private:
   using Ends = std::pair<Rational, Rational>;

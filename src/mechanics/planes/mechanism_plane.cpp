@@ -55,27 +55,40 @@ bool shows(const Axis& axis, const Rational& x) {
 
 }  // namespace
 
-Plane mechanism_plane(const MechanismScene& scene, const MechanismAxes& axes, std::string id) {
+std::shared_ptr<const FreedScene> freed_for(const MechanismScene& scene, const MechanismAxes& axes) {
+  return std::make_shared<const FreedScene>(scene, find_symbol(scene, axes.x.empty() ? usual_parameter(scene) : axes.x),
+                                            FreedScene::Tied::follow);
+}
+
+Plane plane_frame(const MechanismScene& scene, const FreedScene& freed, const MechanismAxes& axes, std::string id) {
   if (!scene.mechanism.load) {
     throw std::invalid_argument("the mechanism " + scene.mechanism.name +
                                 " has no load, expected one, or a parameter that takes its place");
   }
-  const auto freed = std::make_shared<const FreedScene>(
-      scene, find_symbol(scene, axes.x.empty() ? usual_parameter(scene) : axes.x), FreedScene::Tied::follow);
-  const AxisChoice choice(*freed, scene, axes);
+  const AxisChoice choice(freed, scene, axes);
   Plane plane;
   plane.id = std::move(id);
   plane.title = scene.name;
   plane.x = choice.across();
-  AxisChoice::Up up = choice.up(plane.x);
-  plane.y = std::move(up.axis);
+  plane.note = note_of(freed, scene, plane.x);
+  if (scene.mechanism.dimension == 3) {
+    plane.y = choice.up_in_space();
+  } else {
+    AxisChoice::Up up = choice.up(plane.x);
+    plane.y = std::move(up.axis);
+    if (!up.beyond.empty() && !axes.y_from && !axes.y_to) plane.note += beyond_words(plane.note, plane.y, up.beyond);
+  }
   plane.finds_domain = plane.joins_alike = true;
-  plane.note = note_of(*freed, scene, plane.x);
-  if (!up.beyond.empty() && !axes.y_from && !axes.y_to) plane.note += beyond_words(plane.note, plane.y, up.beyond);
-  const auto own = freed->own();
+  const auto own = freed.own();
   if (scene.load && own && shows(plane.x, *own) && shows(plane.y, *scene.load))
     plane.mark = Plane::Mark{*own, *scene.load, "the scene"};
   tell_of_mechanism(plane, scene.mechanism);
+  return plane;
+}
+
+Plane mechanism_plane(const MechanismScene& scene, const MechanismAxes& axes, std::string id) {
+  const auto freed = freed_for(scene, axes);
+  Plane plane = plane_frame(scene, *freed, axes, std::move(id));
   plane.solve = [freed](const Rational& x) -> std::optional<PhaseColumn> {
     auto there = freed->problem(x);
     if (!there) return std::nullopt;

@@ -27,10 +27,18 @@ bool opens(const MotionSet& set) {
   return std::find(mode.begin(), mode.end(), ElementState::lift) != mode.end();
 }
 
+std::string mode_name(const MotionSet& set, const MechanismMode& mode) {
+  std::string text = name(mode);
+  if (set.in_space) std::erase(text, '+');
+  return text;
+}
+
 std::string name(const MotionSet& set) {
   std::string text;
-  for (const auto& modes : set.motions) text += (text.empty() ? "" : ", ") + equal_modes(modes);
-  for (const MechanismMode& mode : set.continua) text += (text.empty() ? "" : ", ") + name(mode) + " (continuum)";
+  const auto add = [&](const std::string& one) { text += (text.empty() ? "" : ", ") + one; };
+  for (const auto& modes : set.motions) add(set.in_space ? mode_name(set, modes.front()) : equal_modes(modes));
+  for (const MechanismMode& mode : set.continua) add(mode_name(set, mode) + " (continuum)");
+  if (!set.complete) return text.empty() ? "not decided" : text + ", perhaps others";
   return text.empty() ? "no motion" : text;
 }
 
@@ -161,6 +169,26 @@ PhaseDiagram phase_diagram(Plane plane, std::size_t count) {
   std::vector<PhaseColumn> all = columns.refined();
   all.erase(std::unique(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.x == b.x; }), all.end());
   return {std::move(plane), std::move(all)};
+}
+
+std::size_t PhaseRaster::complete() const {
+  return static_cast<std::size_t>(std::ranges::count_if(places, &Place::is_complete));
+}
+
+PhaseDiagram raster_diagram(Plane plane, std::size_t across, std::size_t up,
+                            const std::function<void(std::uint64_t, std::uint64_t)>& progress) {
+  const auto middle = [](const Axis& axis, std::size_t i, std::size_t count) {
+    return axis.from + (axis.to - axis.from) * Rational(2 * i + 1, 2 * count);
+  };
+  PhaseRaster raster{across, up, {}};
+  for (std::size_t i = 0; i < across; ++i) {
+    for (std::size_t j = 0; j < up; ++j) {
+      const Rational x = middle(plane.x, i, across), y = middle(plane.y, j, up);
+      raster.places.push_back({x, y, plane.place(x, y)});
+      if (progress) progress(raster.places.size(), across * up);
+    }
+  }
+  return {std::move(plane), {}, std::move(raster)};
 }
 
 }  // namespace slipproof

@@ -1,5 +1,5 @@
 // Phase diagrams: the motions at each point of a plane of one parameter (horizontal) and the load (vertical). In every
-// column the answer is exact for all loads; neighbouring columns are joined.
+// column the answer is exact for all loads; neighbouring columns are joined. In space it is exact at single places.
 #pragma once
 
 #include <functional>
@@ -35,6 +35,17 @@ struct MotionQuantity {
   std::size_t index = 0;
 };
 
+/// A set of motions: each by its modes, in the order of the modes; and the continua. If a motion is strict somewhere,
+/// only the modes in which it is strict.
+struct MotionSet {
+  std::vector<std::vector<MechanismMode>> motions;
+  std::vector<MechanismMode> continua;
+  bool in_space = false;  ///< each motion has one mode there, in which slip_forward says slip, in whatever direction
+  bool complete = true;   ///< it is proved that there are no others
+
+  bool operator==(const MotionSet& other) const = default;
+};
+
 /// What to draw.
 struct Plane {
   /// A value of x with a name.
@@ -63,31 +74,46 @@ struct Plane {
   std::function<std::string(const MechanismMode&)> words;  ///< a mode in words for people
   /// Solves a column; nothing if the parameter has no meaning there.
   std::function<std::optional<PhaseColumn>(const Rational& x)> solve;
+  /// Of a raster, in place of columns: the motions at a place; nothing outside of the domain.
+  std::function<std::optional<MotionSet>(const Rational& x, const Rational& y)> place;
   /// The cells of an existing column with the numbers of the motions, which cost more than all the rest.
   std::function<std::vector<LoadCell>(const Rational& x)> numbers;
 };
 
+/// Exact motions at single places, each the middle of a rectangle of the plane; nothing is proved between them.
+struct PhaseRaster {
+  struct Place {
+    Rational x, y;
+    std::optional<MotionSet> set;  ///< nothing outside of the domain
+
+    bool is_complete() const { return !set || set->complete; }
+  };
+  std::size_t across = 0, up = 0;
+  std::vector<Place> places;  ///< column by column, each from below
+
+  std::size_t complete() const;
+};
+
 struct PhaseDiagram {
   Plane plane;
-  std::vector<PhaseColumn> columns;  ///< in the order of x
+  std::vector<PhaseColumn> columns;        ///< in the order of x
+  std::optional<PhaseRaster> raster = {};  ///< then there are no columns
 };
 
 /// Solves evenly spaced columns and the named values of x. Where two neighbours have different sets of motions, solves
 /// more columns between them, until the change is too narrow to see.
 PhaseDiagram phase_diagram(Plane plane, std::size_t columns);
 
-/// A set of motions: each by its modes, in the order of the modes; and the continua. If a motion is strict somewhere,
-/// only the modes in which it is strict.
-struct MotionSet {
-  std::vector<std::vector<MechanismMode>> motions;
-  std::vector<MechanismMode> continua;
-
-  bool operator==(const MotionSet& other) const { return motions == other.motions && continua == other.continua; }
-};
 MotionSet motion_set(const LoadCell& cell);
+/// Solves the places of a raster of so many columns and rows. `progress` may be empty.
+PhaseDiagram raster_diagram(Plane plane, std::size_t across, std::size_t up,
+                            const std::function<void(std::uint64_t done, std::uint64_t all)>& progress);
+
 /// Whether the set is one motion in which a contact is open.
 bool opens(const MotionSet& set);
-/// `stick/stick, stick/lift`; `no motion`.
+/// `stick/slip+`; in space `stick/slip`.
+std::string mode_name(const MotionSet& set, const MechanismMode& mode);
+/// `stick/stick, stick/lift`; `no motion`; `slip/lift, perhaps others`; `not decided`.
 std::string name(const MotionSet& set);
 
 /// All modes of a motion, strict or not, in their order.

@@ -14,10 +14,11 @@ std::string state_in_words(ElementState state) {
   return std::string(words[static_cast<std::size_t>(state)]);
 }
 
-std::string mode_in_words(const std::vector<std::string>& elements, const MechanismMode& mode) {
+std::string mode_in_words(const std::vector<std::string>& elements, const MechanismMode& mode, bool in_space) {
   std::string text;
   for (std::size_t i = 0; i < mode.size(); ++i) {
-    text += (text.empty() ? "" : ", ") + elements[i] + " " + state_in_words(mode[i]);
+    const bool slips = in_space && mode[i] == ElementState::slip_forward;
+    text += (text.empty() ? "" : ", ") + elements[i] + " " + (slips ? "slips" : state_in_words(mode[i]));
   }
   return text;
 }
@@ -36,7 +37,9 @@ void tell_of_mechanism(Plane& plane, const Mechanism& mechanism) {
   plane.quantities = quantities_of(mechanism);
   std::vector<std::string> elements;
   for (std::size_t i = 0; i < mechanism.elements(); ++i) elements.push_back(element_name(mechanism, i));
-  plane.words = [elements](const MechanismMode& mode) { return mode_in_words(elements, mode); };
+  plane.words = [elements, in_space = mechanism.dimension == 3](const MechanismMode& mode) {
+    return mode_in_words(elements, mode, in_space);
+  };
 }
 
 }  // namespace slipproof

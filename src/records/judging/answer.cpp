@@ -143,7 +143,7 @@ std::vector<RecordAnswer::Component> RecordAnswer::components(const SpaceMotion&
     result.push_back({{std::move(smallest), {}}, open || !range});
   };
   for (const Range& acceleration : motion.accelerations) add(acceleration, false);
-  for (const auto& force : motion.forces) add(force, motion.open_directions > 0);
+  for (const auto& force : motion.forces) add(force, motion.may_be_open());
   return result;
 }
 

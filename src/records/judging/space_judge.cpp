@@ -137,7 +137,7 @@ class SpaceVerdict {
                        {"status", motion.strict ? "strict" : "boundary"},
                        {"exists", motion.exists},
                        {"unique", motion.unique},
-                       {"open_directions", motion.open_directions},
+                       {"open_directions", motion.open_directions ? Json(*motion.open_directions) : Json(nullptr)},
                        {"accelerations", std::move(accelerations)},
                        {"forces", std::move(forces)}});
     }

@@ -147,7 +147,7 @@ Json expected_motion(const Mechanism& m, const SpaceMotion& motion) {
           {"exists", motion.exists},
           {"unique", motion.unique},
           {"others_within", number_json(motion.others_within)},
-          {"open_directions", motion.open_directions}};
+          {"open_directions", motion.open_directions ? Json(*motion.open_directions) : Json(nullptr)}};
 }
 
 std::string_view how_many(const SolvedSpace& solved) {

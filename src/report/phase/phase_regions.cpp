@@ -286,7 +286,44 @@ class RegionDrawing {
 
 }  // namespace
 
+namespace {
+
+/// Each place as the rectangle around it; neighbours in a column with the same motions are one.
+class RasterDrawing {
+ public:
+  explicit RasterDrawing(const PhaseDiagram& diagram) : plane_(diagram.plane), raster_(*diagram.raster) {}
+
+  PhaseRegions all() {
+    for (std::size_t first = 0, last = 0; first < raster_.places.size(); first = last + 1) {
+      last = first;
+      const auto& set = raster_.places[first].set;
+      while ((last + 1) % raster_.up != 0 && raster_.places[last + 1].set == set) ++last;
+      set ? add(first, last) : (void)(regions_.leaves_domain = true);
+    }
+    return std::move(regions_);
+  }
+
+ private:
+  void add(std::size_t first, std::size_t last) {
+    const double across = value(plane_.x.to - plane_.x.from) / static_cast<double>(raster_.across) / 2,
+                 up = value(plane_.y.to - plane_.y.from) / static_cast<double>(raster_.up) / 2;
+    const auto &low = raster_.places[first], &high = raster_.places[last];
+    const double left = value(low.x) - across, right = value(low.x) + across;
+    const double bottom = value(low.y) - up, top = value(high.y) + up;
+    regions_.strips.push_back({*low.set, {{left, bottom}, {right, bottom}}, {{left, top}, {right, top}}});
+    if (std::ranges::find(regions_.sets, *low.set) == regions_.sets.end()) regions_.sets.push_back(*low.set);
+  }
+  static double value(const Rational& x) { return nearest_binary64(x); }
+
+  const Plane& plane_;
+  const PhaseRaster& raster_;
+  PhaseRegions regions_;
+};
+
+}  // namespace
+
 PhaseRegions phase_regions(const PhaseDiagram& diagram) {
+  if (diagram.raster) return RasterDrawing(diagram).all();
   return diagram.columns.empty() ? PhaseRegions{} : RegionDrawing(diagram).all();
 }
 

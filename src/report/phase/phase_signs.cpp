@@ -1,5 +1,7 @@
 #include "report/phase/phase_signs.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 
@@ -31,6 +33,11 @@ std::vector<PhaseSign> phase_signs(const PhasePicture& picture) {
   const auto& sets = picture.regions.sets;
   std::vector<PhaseSign> signs;
   if (plane.mark) signs.push_back({PhaseSign::Kind::mark, mark_words(plane)});
+  if (picture.diagram.raster) {
+    signs.push_back({PhaseSign::Kind::place,
+                     fmt::format("a place that was solved: {} of {} completely", picture.diagram.raster->complete(),
+                                 picture.diagram.raster->places.size())});
+  }
   const auto is_edge = [](const PhaseLine& line) { return line.kind == PhaseLine::Kind::edge; };
   if (plane.curves.empty() && std::ranges::any_of(picture.regions.lines, is_edge)) {
     signs.push_back({PhaseSign::Kind::line, "on a line the motions change, or others exist only there"});
@@ -38,6 +45,9 @@ std::vector<PhaseSign> phase_signs(const PhasePicture& picture) {
   if (std::ranges::any_of(sets, opens)) signs.push_back({PhaseSign::Kind::dots, "dots: a contact opens"});
   if (std::ranges::any_of(sets, is_striped)) {
     signs.push_back({PhaseSign::Kind::stripes, "stripes: several motions, each with its colour"});
+  }
+  if (!std::ranges::all_of(sets, &MotionSet::complete)) {
+    signs.push_back({PhaseSign::Kind::hatching, "hatched: not proved that there are no others"});
   }
   return signs;
 }
@@ -50,6 +60,12 @@ void draw_sign(const Element& parent, const PhasePicture& picture, const PhaseSi
     case PhaseSign::Kind::mark:
       circle("ink", 14, 9, 4);
       circle("frame", 14, 9, 8);
+      break;
+    case PhaseSign::Kind::place:
+      circle("ink", 14, 9, 1.2);
+      break;
+    case PhaseSign::Kind::hatching:
+      parent.add("path", "hatching").set("d", "M2,16L16,2M12,16L26,2");
       break;
     case PhaseSign::Kind::line:
       parent.add("path", "edge").set("d", "M1,9H27");

@@ -10,7 +10,7 @@
 namespace slipproof {
 
 struct PhaseSign {
-  enum class Kind { mark, line, dots, stripes };
+  enum class Kind { mark, place, line, dots, stripes, hatching };
   Kind kind = Kind::mark;
   std::string words;
 };

@@ -45,6 +45,7 @@ class Picture {
  public:
   Picture(const PhaseDiagram& diagram, const PhaseRegions& regions, const PhaseSvgOptions& options)
       : plane_(diagram.plane),
+        raster_(diagram.raster),
         regions_(regions),
         colours_(drawn_modes(regions)),
         frame_(frame_of(diagram.plane, options)) {}
@@ -58,8 +59,8 @@ class Picture {
       const MotionSet& set = regions_.sets[i];
       if (is_plain(set)) continue;
       const Element pattern = defs.add("pattern").set("id", pattern_id(i)).set("patternUnits", "userSpaceOnUse");
-      const std::size_t stripes = std::max<std::size_t>(1, set.motions.size() + set.continua.size());
-      const double size = opens(set) || is_empty(set) ? 9 : 7.0 * static_cast<double>(stripes);
+      const std::size_t stripes = set.motions.size() + set.continua.size();
+      const double size = opens(set) || stripes == 0 ? 9 : 7.0 * static_cast<double>(stripes);
       pattern.set("width", size).set("height", size);
       if (!opens(set)) pattern.set("patternTransform", "rotate(-45)");
       if (is_empty(set)) {
@@ -72,6 +73,7 @@ class Picture {
         stripe.set("width", size / static_cast<double>(stripes)).set("height", size);
       }
       if (opens(set)) pattern.add("circle", "dots").set("cx", 3).set("cy", 3).set("r", 0.9);
+      if (!set.complete) pattern.add("path", "hatching").set("d", fmt::format("M0,{0}L{0},0", short_number(size)));
     }
   }
 
@@ -98,6 +100,16 @@ class Picture {
       const Element path = plot.add("path", "thin").set("d", d);
       paint(path, region.set);
       path.add("title").text(name(regions_.sets[region.set]) + ", drawn wider than it is");
+    }
+  }
+
+  /// What is known of a raster: its places.
+  void add_places(const Element& svg) const {
+    if (!raster_) return;
+    for (const auto& place : raster_->places) {
+      if (!place.set) continue;
+      const double x = frame_.x_of(nearest_binary64(place.x)), y = frame_.y_of(nearest_binary64(place.y));
+      svg.add("circle", "ink place").set("cx", x).set("cy", y).set("r", 1.2);
     }
   }
 
@@ -189,10 +201,10 @@ class Picture {
   }
 
  private:
-  static bool is_empty(const MotionSet& set) { return set.continua.empty() && set.motions.empty(); }
+  static bool is_empty(const MotionSet& set) { return set.complete && set.continua.empty() && set.motions.empty(); }
   bool is_plain(const MotionSet& set) const {
     if (is_empty(set)) return !plane_.finds_domain;
-    return set.continua.empty() && set.motions.size() <= 1 && !opens(set);
+    return set.complete && set.continua.empty() && set.motions.size() <= 1 && !opens(set);
   }
   std::string pattern_id(std::size_t index) const { return plane_.id + "-" + std::to_string(index); }
   std::string stripe_class(const MotionSet& set, std::size_t k) const {
@@ -241,6 +253,7 @@ class Picture {
   }
 
   const Plane& plane_;
+  const std::optional<PhaseRaster>& raster_;
   const PhaseRegions& regions_;
   const ModeColours colours_;
   const Frame frame_;
@@ -256,6 +269,7 @@ void draw(const Element& svg, const Picture& picture, const PhaseSvgOptions& opt
   picture.add_refuted(plot);
   picture.add_lines(plot);
   picture.add_thin(plot, thin);
+  picture.add_places(plot);
   picture.add_names(plot, options.labels);
   picture.add_axes(svg);
   picture.add_rings(svg, thin);
@@ -274,6 +288,7 @@ PhaseSvgOptions enlargement_options(const PhaseSvgOptions& options) {
 
 PhasePicture phase_picture(const PhaseDiagram& diagram, const PhaseSvgOptions& options) {
   PhasePicture picture{diagram, options, phase_regions(diagram), {}};
+  if (diagram.raster) return picture;
   picture.thin = thin_regions(diagram, picture.regions, frame_of(diagram.plane, options),
                               frame_of(diagram.plane, enlargement_options(options)));
   return picture;

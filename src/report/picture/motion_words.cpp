@@ -180,12 +180,7 @@ std::vector<std::string> caption_lines(const std::vector<std::string>& pieces, s
   std::vector<std::string> lines;
   for (const std::string& piece : pieces) {
     const bool fits = !lines.empty() && utf8_count(lines.back()) + between.size() + utf8_count(piece) <= length;
-    if (fits) {
-      lines.back() += std::string(between) + piece;
-    } else {
-      if (!lines.empty()) lines.back() += between.substr(0, between.find(' '));
-      lines.push_back(piece);
-    }
+    fits ? lines.back() += std::string(between) + piece : lines.emplace_back(piece);
   }
   return lines;
 }

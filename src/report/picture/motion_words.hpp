@@ -60,7 +60,7 @@ std::string contact_text(const MechanismScene& scene, const MotionAtLoad* motion
 std::vector<std::string> told_of(const MechanismScene& scene, const MotionAtLoad* motion,
                                  const std::vector<bool>& drawn, const NumberWords& numbers);
 
-/// The pieces, with commas, in lines of at most so many characters where a piece is not longer.
+/// The pieces, with commas between those of a line, in lines of at most so many characters where a piece is not longer.
 std::vector<std::string> caption_lines(const std::vector<std::string>& pieces, std::size_t length);
 
 }  // namespace slipproof

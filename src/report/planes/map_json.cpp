@@ -1,17 +1,30 @@
 #include "report/planes/map_json.hpp"
 
-#include "mechanics/points/degrees.hpp"
 #include "report/values/mode_json.hpp"
 #include "report/values/motions_json.hpp"
+#include "report/values/set_json.hpp"
 
 namespace slipproof {
 
 namespace {
 
-Json across_json(const Axis& axis, const Rational& x) {
-  if (!axis.is_angle) return to_json(x);
-  const MechanismValues::Circle point = point_of_tan_half(x);
-  return {{"cos", to_json(point.cosine)}, {"sin", to_json(point.sine)}};
+/// Columns with what is known at each place: `"motions": ["slip/lift"]`.
+Json raster_json(const PhaseDiagram& diagram) {
+  Json columns = Json::array();
+  const PhaseRaster& raster = *diagram.raster;
+  for (std::size_t i = 0; i < raster.across; ++i) {
+    Json places = Json::array();
+    bool complete = true;
+    for (std::size_t j = 0; j < raster.up; ++j) {
+      const PhaseRaster::Place& place = raster.places[i * raster.up + j];
+      complete = complete && place.is_complete();
+      places.push_back(set_json(place.set));
+      places.back()["load"] = to_json(place.y);
+    }
+    const Json x = across_json(diagram.plane.x, raster.places[i * raster.up].x);
+    columns.push_back({{"x", x}, {"complete", complete}, {"places", std::move(places)}});
+  }
+  return columns;
 }
 
 }  // namespace
@@ -33,6 +46,7 @@ std::string map_json(const PhaseDiagram& diagram, const MechanismScene& scene) {
     for (const LoadCell& cell : column.cells) cells.push_back(cell_json(cell));
     columns.push_back({{"x", across_json(x, column.x)}, {"cells", std::move(cells)}});
   }
+  if (diagram.raster) columns = raster_json(diagram);
   document["columns"] = std::move(columns);
   return dump(document);
 }

@@ -8,7 +8,8 @@
 
 namespace slipproof {
 
-/// One JSON document, schema slipproof/map/2: every column with its exact intervals of the load.
+/// One JSON document, schema slipproof/map/2: every column with its exact intervals of the load, in space
+/// with its places.
 std::string map_json(const PhaseDiagram& diagram, const MechanismScene& scene);
 
 }  // namespace slipproof

@@ -69,8 +69,10 @@ class SpaceText {
       below.line("a continuum: how forces are shared decides how it moves");
       below.line("one of its motions, another that is proved to differ, and where all of them are");
     }
-    if (motion.open_directions > 0) {
-      below.line("forces are open along " + counted(motion.open_directions, "direction") + ": these are some of them");
+    if (!motion.open_directions) {
+      below.line("forces may be open, as directions of slips are no rational numbers: these are some of them");
+    } else if (motion.may_be_open()) {
+      below.line("forces are open along " + counted(*motion.open_directions, "direction") + ": these are some of them");
     }
     std::vector<const SpaceMotion*> side_by_side{&motion};
     for (const SpaceMotion& other : motion.others) side_by_side.push_back(&other);
@@ -155,7 +157,7 @@ Json motion_json(const Mechanism& m, const SpaceMotion& motion) {
     for (const SpaceMotion& other : motion.others) result["others"].push_back(numbers_json(m, other));
     result["all_accelerations"] = named(acceleration_names(m), motion.all_accelerations);
   }
-  result["open_directions"] = motion.open_directions;
+  result["open_directions"] = motion.open_directions ? Json(*motion.open_directions) : Json(nullptr);
   result["status"] = motion.strict ? "strict" : "boundary";
   return result;
 }

@@ -66,21 +66,31 @@ Vector3d vector_in(const std::string& line) {
   return result;
 }
 
+/// That of a line such as `radius = "1/2"`.
+double number_in(const std::string& line) {
+  const std::size_t from = line.find('"') + 1;
+  return nearest_binary64(parse_rational(line.substr(from, line.find('"', from) - from)));
+}
+
 /// Bodies stand along the scene's axes.
 void read_places(const std::string& text, Ours& to) {
   std::istringstream lines(text);
   std::string part;
   const auto has = [&](const std::string& line, const std::string& key) { return line.rfind(key + " = ", 0) == 0; };
   Vector3d own(0, 0, 0);
+  double radius = 0;
   for (std::string line; std::getline(lines, line);) {
     if (line.rfind("[[", 0) == 0) part = line;
     if (part == "[[body]]" && has(line, "at")) to.at.push_back(vector_in(line));
     if (part != "[[contact]]") continue;
     if (has(line, "of")) {
       const std::string name = line.substr(6, line.size() - 7);
+      radius = 0;
       own = to.at[static_cast<std::size_t>(std::find(to.names.begin(), to.names.end(), name) - to.names.begin())];
     }
     if (has(line, "point")) to.touching.push_back(own + vector_in(line));
+    if (has(line, "radius")) radius = number_in(line);
+    if (has(line, "normal")) to.touching.back() -= radius * vector_in(line);  // `point` is the centre of what is round
   }
 }
 
@@ -334,6 +344,8 @@ TEST_CASE("meshes and cylinders on planes touch at MuJoCo's points with its rows
   const std::string wedge = "type=\"mesh\" mesh=\"wedge\"", top = "type=\"mesh\" mesh=\"top\"",
                     cylinder = "type=\"cylinder\" size=\"0.25 0.5\"";
   CHECK(compare_text(scene(free("stands", "0 0 0.5", cylinder), ""), "") >= 1);  // of three points at 120 degrees
+  const std::string lying = cylinder + " euler=\"90 0 0\"";
+  CHECK(compare_text(scene(free("lies", "0 0 0.25", lying), ""), "") == 2);  // the ends of its lowest line
   CHECK(compare_text(scene(free("slab", "0 0 0.05", wedge), ""), "") >= 3);
   CHECK(compare_text(scene(free("peg", "0 0 0.3", top), ""), "") == 1);
 }

@@ -9,6 +9,7 @@
 using namespace slipproof;
 using test::contains;
 using test::is;
+using test::value;
 
 namespace {
 
@@ -26,16 +27,7 @@ turning = ["0", "0", "0"]
 spin = ["0", "0", "0"]
 at = ["1", "0", "0"]
 velocity = [)" +
-         velocity + R"(]
-[[contact]]
-name = "p"
-of = "particle"
-on = "disc"
-point = ["0", "0", "0"]
-normal = ["0", "0", "1"]
-through = ["0", "0", "0"]
-friction = ")" +
-         mu + "\"\n";
+         velocity + "]\n" + test::standing("p", "particle", R"("0", "0", "0")", mu, "disc");
 }
 
 const std::string moving_belt = R"(
@@ -60,9 +52,7 @@ std::string four_feet(const std::string& on) {
   std::string text;
   for (const auto& [name, x, y] :
        {std::tuple("pp", "1", "1"), {"pm", "1", "-1"}, {"mp", "-1", "1"}, {"mm", "-1", "-1"}}) {
-    text += std::string("[[contact]]\nname = \"") + name + "\"\nof = \"box\"\non = \"" + on + "\"\npoint = [\"" + x +
-            "\", \"" + y +
-            "\", \"-1\"]\nnormal = [\"0\", \"0\", \"1\"]\nthrough = [\"0\", \"0\", \"0\"]\nfriction = \"1/5\"\n";
+    text += test::standing(name, "box", std::string("\"") + x + "\", \"" + y + "\", \"-1\"", "1/5", on);
   }
   return text;
 }
@@ -108,14 +98,7 @@ at = ["4/5", "0", "3/5"]
 turn = ["2", "0", "1", "0"]
 velocity = ["0", "4/5", "0"]
 spin = ["103/25", "0", "409/100"]
-[[contact]]
-name = "foot"
-of = "top"
-point = ["0", "0", "-1"]
-normal = ["0", "0", "1"]
-through = ["0", "0", "0"]
-friction = "1/2"
-)");
+)" + test::standing("foot", "top", R"("0", "0", "-1")", "1/2"));
   CHECK(top.motions.front().modes == std::vector<std::string>{"stick"});
   CHECK(is(top, "ax", Rational(-4, 5)));
   CHECK(is(top, "ay", 0));
@@ -136,15 +119,8 @@ inertia = ["1/4", "1/2", "1/4"]
 at = ["0", "0", "1"]
 velocity = ["5", "0", "0"]
 spin = ["0", "5", "1"]
-[[contact]]
-name = "edge"
-of = "coin"
-point = ["0", "0", "0"]
-radius = "1"
-normal = ["0", "0", "1"]
-through = ["0", "0", "0"]
-friction = "1/2"
-)");
+)" + test::standing("edge", "coin", R"("0", "0", "0")", "1/2") +
+                                             "radius = \"1\"\n");
   CHECK(coin.motions.front().modes == std::vector<std::string>{"stick"});
   CHECK(is(coin, "alphax", 1));
   CHECK(is(coin, "ay", -1));
@@ -203,4 +179,14 @@ TEST_CASE("a box that slides on four feet has one motion, by forces that are ope
   CHECK(motion.modes == std::vector<std::string>(4, "slip"));
   CHECK(is(solved, "ax", 2));  // mu g, forwards
   CHECK(*value(solved, "N_pp").lower + *value(solved, "N_mm").lower == 20);
+}
+
+/// Forces at the floor that balance without a turn: found with a foot that only touches, which others can share.
+TEST_CASE("forces are open as well where the directions of slips are no rational numbers") {
+  const std::string pull = "[[force]]\non = \"box\"\nat = [\"0\", \"0\", \"-1\"]\nis = [\"10\", \"7\", \"0\"]\n";
+  const SolvedSpace solved = test::solved_text(sliding_box("0", "0") + pull + four_feet("ground"));
+  REQUIRE(solved.motions.size() == 1);
+  CHECK(solved.motions.front().modes == std::vector<std::string>(4, "slip"));
+  CHECK(solved.motions.front().strict);
+  CHECK(solved.motions.front().open_directions == 1U);  // of four normal forces with three equations
 }

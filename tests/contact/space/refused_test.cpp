@@ -7,8 +7,10 @@
 #include "base/input/diagnostic.hpp"
 #include "contact/space/solved_text.hpp"
 #include "mechanics/reading/read_mechanism.hpp"
+#include "support/replaced.hpp"
 
 using namespace slipproof;
+using test::replaced;
 
 namespace {
 
@@ -20,15 +22,7 @@ inertia = ["1", "1", "1"]
 at = ["0", "0", "1"]
 )";
 
-const std::string standing = R"(
-[[contact]]
-name = "foot"
-of = "block"
-point = ["0", "0", "-1"]
-normal = ["0", "0", "1"]
-through = ["0", "0", "0"]
-friction = "1/2"
-)";
+const std::string standing = test::standing("foot", "block", R"("0", "0", "-1")", "1/2");
 
 std::string joined(const std::string& name, const std::string& kind, const std::string& on, const std::string& rest) {
   return "\n[[joint]]\nname = \"" + name + "\"\nkind = \"" + kind + "\"\nbetween = [\"" + on + "\", \"block\"]\n" +
@@ -51,28 +45,22 @@ bool is_refused(const std::string& bodies, const std::string& because) {
   return said;
 }
 
-std::string exchanged(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
-}
-
 }  // namespace
 
 TEST_CASE("mistakes in bodies in space are told") {
   CHECK(refusal_in_space(cube + standing) == "accepted");
   CHECK(is_refused(cube + "turn = [\"0\", \"0\", \"0\", \"0\"]\n" + standing, "quaternion of length 0"));
   CHECK(is_refused(cube + "turn = [\"1\", \"0\", \"0\"]\n" + standing, "turn: expected a quaternion w x y z"));
-  CHECK(is_refused(exchanged(cube, R"(["1", "1", "1"])", R"("1")") + standing,
+  CHECK(is_refused(replaced(cube, R"(["1", "1", "1"])", R"("1")") + standing,
                    "inertia: expected three numbers xx yy zz"));
-  CHECK(is_refused(exchanged(cube, R"("1", "1", "1")", R"("1", "1", "3")") + standing,
+  CHECK(is_refused(replaced(cube, R"("1", "1", "1")", R"("1", "1", "3")") + standing,
                    "found the moment of inertia zz larger than the other two together"));
-  CHECK(is_refused(exchanged(cube, R"("1", "1", "1")", R"("1", "1", "1", "9/10", "0", "0")") + standing,
+  CHECK(is_refused(replaced(cube, R"("1", "1", "1")", R"("1", "1", "1", "9/10", "0", "0")") + standing,
                    "products of inertia that are too large"));
-  CHECK(is_refused(exchanged(cube, R"("0", "0", "1")", R"("0", "1")") + standing, "at: expected three coordinates"));
+  CHECK(is_refused(replaced(cube, R"("0", "0", "1")", R"("0", "1")") + standing, "at: expected three coordinates"));
   CHECK(
       is_refused(cube + "velocity = [\"0\", \"0\", \"-1\"]\n" + standing, "approach the surface with the velocity -1"));
-  CHECK(is_refused(cube + exchanged(standing, R"("0", "0", "1")", R"("0", "1", "1")"), "expected one of length 1"));
+  CHECK(is_refused(cube + replaced(standing, R"("0", "0", "1")", R"("0", "1", "1")"), "expected one of length 1"));
   CHECK(is_refused(cube + standing + "tangent = [\"1\", \"0\", \"1\"]\n", "expected one of length 1"));
   CHECK(is_refused(cube + standing + "state = \"slides+\"\n", "did you mean 'slides'?"));
   CHECK(is_refused(cube + standing + joined("pin", "pin", "ground", "at = [\"0\", \"0\", \"0\"]"),
@@ -82,7 +70,7 @@ TEST_CASE("mistakes in bodies in space are told") {
 
 TEST_CASE("what no contact problem in space says is refused") {
   CHECK(is_refused(cube + standing + "bilateral = true\n", "a guide with friction"));
-  CHECK(is_refused(cube + exchanged(standing, "\"1/2\"", "{ static = \"1/2\", kinetic = \"1/3\" }"),
+  CHECK(is_refused(cube + replaced(standing, "\"1/2\"", "{ static = \"1/2\", kinetic = \"1/3\" }"),
                    "static coefficient of its own"));
   CHECK(is_refused(
       "load = { symbol = \"F\" }\n" + cube + standing + "[[force]]\non = \"block\"\nis = [\"F\", \"0\", \"0\"]\n",

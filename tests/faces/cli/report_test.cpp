@@ -104,6 +104,37 @@ TEST_CASE("map draws a scene, as SVG, as PNG where it can, and as exact data") {
   CHECK(document["columns"].front()["x"] == "1/2");
 }
 
+/// By hand: N = (110 - 10 F)/13.5 and T = -(6.5 F + 50)/13.5 where the rod's foot sticks; it lifts from F = 2 on, and
+/// at F = 3 it slips as well wherever it can stick, from mu = 139/160 on; at F = 1 it slips below mu = 113/200.
+TEST_CASE("map and critical follow a scene in space at single values") {
+  const std::string scene = SLIPPROOF_SOURCE_DIR "/cases/space/mapped/leaning-rod.toml";
+  const auto json = run({"map", scene, "--columns", "2", "--rows", "3", "--y-range", "0", "6", "--json"});
+  CHECK(json.exit_code == 0);
+  const Json columns = Json::parse(json.out)["columns"];
+  REQUIRE(columns.size() == 2);
+  CHECK(columns[0]["places"][1]["motions"] == Json({"lift"}));  // at mu = 1/2, F = 3
+  CHECK(columns[1]["complete"] == true);
+  CHECK(columns[1]["places"][1]["motions"] == Json({"stick", "slip", "lift"}));  // at mu = 3/2
+  CHECK(run({"map", scene, "--columns", "2", "--rows", "2", "--effort", "1"}).exit_code == 4);
+  CHECK(run({"map", city_bicycle, "--rows", "2"}).err.find("--rows") != std::string::npos);
+  const auto text = run({"critical", scene, "--x", "mu", "--x-range", "1/2", "2", "--columns", "3"});
+  CHECK(text.exit_code == 0);
+  CHECK(text.out.find("1 motion: lift") != std::string::npos);
+  CHECK(text.out.find("3 motions: stick, slip, lift") != std::string::npos);
+  CHECK(text.out.find("s COMPLETE changes 1 ") != std::string::npos);
+  const auto at_one = run({"critical", scene, "--x-range", "1/2", "2", "--columns", "3", "--load", "1", "--json"});
+  const Json changes = Json::parse(at_one.out)["changes"];
+  REQUIRE(changes.size() == 1);
+  const auto number = [](const std::string& text) {
+    const std::size_t bar = text.find('/');
+    return std::stod(text) / (bar == std::string::npos ? 1 : std::stod(text.substr(bar + 1)));
+  };
+  CHECK(number(changes[0][0]) < 0.565);
+  CHECK(number(changes[0][1]) > 0.565);
+  CHECK(number(changes[0][1]) < 0.566);
+  CHECK(run({"critical", city_bicycle, "--load", "1"}).exit_code == 2);
+}
+
 TEST_CASE("map refuses what it cannot draw, in words") {
   CHECK(run({"map", city_bicycle, "--x", "frog"}).exit_code == 3);
   CHECK(run({"map", city_bicycle, "--y", "f"}).err.find("multiplies") != std::string::npos);

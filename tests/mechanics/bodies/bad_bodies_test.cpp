@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <set>
 #include <string>
 
 #include "mechanics/checks/checks.hpp"
@@ -20,10 +19,7 @@ namespace {
 const std::string bad_bodies = SLIPPROOF_SOURCE_DIR "/tests/mechanics/bodies/bad_bodies.toml";
 
 std::string good_bodies() {
-  Mistakes mistakes(bad_bodies);
-  const auto table = parse_toml(read_text_file(bad_bodies), mistakes);
-  REQUIRE(table);
-  return table->find("good")->value.text.text();
+  return test::good_input(bad_bodies);
 }
 
 using test::replaced;
@@ -39,15 +35,7 @@ ElementKind::Start start_of(const Mechanism& mechanism, const std::string& eleme
 }  // namespace
 
 TEST_CASE("every mistake in a scene of bodies gets its messages") {
-  const auto rows = test::read_bad_inputs(bad_bodies);
-  CHECK(rows.size() >= 60);
-  std::set<std::string> names;
-  for (const test::BadInput& row : rows) {
-    CAPTURE(row.what);
-    CHECK(names.insert(row.what).second);
-    const auto messages = test::said(row, [](const std::string& text) { parse_mechanism(text, "bad.toml"); });
-    CHECK(messages == row.says);
-  }
+  test::check_bad_inputs(bad_bodies, 60, [](const std::string& text) { parse_mechanism(text, "bad.toml"); });
 }
 
 TEST_CASE("states follow from velocities, and what does not hold everywhere becomes a condition") {

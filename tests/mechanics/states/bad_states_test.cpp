@@ -1,7 +1,6 @@
 // Mistakes in [state] and in what joints place are told, with their places; and what [state] can say.
 #include <doctest/doctest.h>
 
-#include <set>
 #include <string>
 
 #include "mechanics/bodies/bodies.hpp"
@@ -18,10 +17,7 @@ namespace {
 const std::string bad_states = SLIPPROOF_SOURCE_DIR "/tests/mechanics/states/bad_states.toml";
 
 std::string good_states() {
-  Mistakes mistakes(bad_states);
-  const auto table = parse_toml(read_text_file(bad_states), mistakes);
-  REQUIRE(table);
-  return table->find("good")->value.text.text();
+  return test::good_input(bad_states);
 }
 
 Mechanism with_state(const std::string& state) {
@@ -31,14 +27,7 @@ Mechanism with_state(const std::string& state) {
 }  // namespace
 
 TEST_CASE("every mistake in a state gets its messages") {
-  const auto rows = test::read_bad_inputs(bad_states);
-  CHECK(rows.size() >= 38);
-  std::set<std::string> names;
-  for (const test::BadInput& row : rows) {
-    CAPTURE(row.what);
-    CHECK(names.insert(row.what).second);
-    CHECK(test::said(row, [](const std::string& text) { parse_mechanism(text, "bad.toml"); }) == row.says);
-  }
+  test::check_bad_inputs(bad_states, 38, [](const std::string& text) { parse_mechanism(text, "bad.toml"); });
 }
 
 TEST_CASE("the same velocities follow from joints, bodies, points and what is given") {

@@ -1,9 +1,12 @@
 // The tables of malformed inputs beside this file: what the program is given, what it must say, and its exit code.
 #pragma once
 
+#include <doctest/doctest.h>
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -95,6 +98,33 @@ std::vector<std::string> said(const BadInput& input, Reader&& read) {
     return messages;
   }
   return {"accepted"};
+}
+
+/// Every row says what the table has, ends with this exit code, and is not there twice.
+template <class Reader>
+void check_bad_inputs(const std::filesystem::path& path, std::size_t at_least, Reader&& read, int exit = 3) {
+  const auto rows = read_bad_inputs(path);
+  CHECK(rows.size() >= at_least);
+  std::set<std::string> names;
+  for (const BadInput& row : rows) {
+    CAPTURE(row.what);
+    CHECK(names.insert(row.what).second);
+    CHECK(row.exit == exit);
+    const auto messages = said(row, read);
+    for (std::size_t i = 0; i < std::max(messages.size(), row.says.size()); ++i) {
+      const std::string expected = i < row.says.size() ? row.says[i] : "nothing more";
+      const std::string found = i < messages.size() ? messages[i] : "nothing more";
+      CHECK(found == expected);
+    }
+  }
+}
+
+/// The text of the table in which the mistakes are made.
+inline std::string good_input(const std::filesystem::path& path) {
+  Mistakes mistakes(path.string());
+  const auto table = parse_toml(read_text_file(path), mistakes);
+  REQUIRE(table);
+  return table->find("good")->value.text.text();
 }
 
 }  // namespace slipproof::test

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "base/input/diagnostic.hpp"
+#include "mechanics/reading/read_mechanism.hpp"
 #include "report/picture/drawn_mechanism.hpp"
 #include "report/picture/space/space_view.hpp"
 
@@ -255,6 +256,49 @@ TEST_CASE("a direction to look from is three numbers or two angles, and anything
       CHECK(message.find("expected a direction x,y,z to look from, such as 1,-2,1") != std::string::npos);
     }
   }
+}
+
+/// A ball of the weight 10 hangs from the ceiling.
+TEST_CASE("a rope pulls the ball, with its own symbol, its name once, and units where the file has some") {
+  const auto picture = [](const std::string& unit) {
+    const Mechanism mechanism =
+        parse_mechanism(space_header + "parameters = { r = { domain = \"r > 0\"" + unit + R"( } }
+[[body]]
+name = "ball"
+mass = "1"
+inertia = ["1", "1", "1"]
+at = ["0", "0", "0"]
+velocity = ["1", "0", "0"]
+shape = { sphere = "r" }
+[[joint]]
+name = "cord"
+kind = "rope"
+between = ["ground", "ball"]
+at = ["0", "0", "3"]
+length = "3"
+)",
+                        "ball.toml");
+    MechanismScene scene{"ball", mechanism, default_values(mechanism), std::nullopt, {}};
+    scene.values.parameters = {1};
+    SpaceMotion motion;
+    motion.modes = {"touch"};
+    motion.slips.resize(1);
+    motion.forces.assign(1, exact_range(10));
+    motion.accelerations.assign(acceleration_names(scene.mechanism).size(), exact_range(0));
+    return picture_of(scene, motion, from_in_front);
+  };
+  const DrawnMechanism plain = picture("");
+  const auto forces = drawn_arrows(plain, "friction"), weights = drawn_arrows(plain, "load weight");
+  REQUIRE(forces.size() == 1);
+  REQUIRE(weights.size() == 1);
+  CHECK(forces[0].dy < -70);  // up
+  CHECK(forces[0].from_y == doctest::Approx(weights[0].from_y).epsilon(0.01).scale(100));
+  const std::string text = all_text(plain.tree.document_element());
+  CHECK(text.find("T = 10") != std::string::npos);
+  CHECK(text.find("N = ") == std::string::npos);
+  CHECK(text.find("v = 1 m/s") == std::string::npos);
+  CHECK(plain.tree.select_nodes("//text[starts-with(.,'cord') and @class='soft halo']").size() == 1);
+  CHECK(all_text(picture(", unit = \"m\"").tree.document_element()).find("v = 1 m/s") != std::string::npos);
 }
 
 TEST_CASE("motions side by side say what they are, each with all of its contacts") {

@@ -1,10 +1,10 @@
 #include "contact/complete/motion/forces_at.hpp"
 
+#include <cmath>
+
 namespace slipproof {
 
 namespace {
-
-using Kind = ContactState::Kind;
 
 constexpr std::size_t most_pivots = 1000, most_rays = 160;
 
@@ -92,10 +92,7 @@ std::vector<std::vector<Rational>> independent(const std::vector<std::vector<Rat
 /// How many independent combinations of these forces move nothing. They are independent themselves.
 std::size_t open_among(const ExactContacts& contacts, const std::vector<std::vector<Rational>>& forces) {
   RationalMatrix moved;
-  for (const std::vector<Rational>& force : forces) {
-    moved.push_back(velocities(contacts, force));
-    for (std::size_t i = 0; i < contacts.size(); ++i) moved.back()[i] -= contacts.q[i];
-  }
+  for (const std::vector<Rational>& force : forces) moved.push_back(velocity_changes(contacts, force));
   return moved.empty() ? 0 : moved.size() - eliminate(moved).rank();
 }
 
@@ -135,8 +132,8 @@ ForcesAlong::ForcesAlong(const ExactContacts& contacts, std::span<const Rational
   const std::size_t count = rays_.size();
   RationalMatrix system(size_, std::vector<Rational>(count + 1));
   for (std::size_t j = 0; j < count; ++j) {
-    const std::vector<Rational> moved = velocities(contacts, rays_[j]);
-    for (std::size_t i = 0; i < size_; ++i) system[i][j] = moved[i] - contacts.q[i];
+    const std::vector<Rational> moved = velocity_changes(contacts, rays_[j]);
+    for (std::size_t i = 0; i < size_; ++i) system[i][j] = moved[i];
   }
   for (std::size_t i = 0; i < size_; ++i) system[i][count] = u[i] - contacts.q[i];
   const Echelon echelon = eliminate(system);
@@ -225,6 +222,31 @@ ForceFamily forces_at(const ExactContacts& contacts, const SpatialMotion& motion
   return family;
 }
 
+std::optional<SpatialMotion> pressing_motion(const ExactContacts& contacts, const SpatialMotion& motion) {
+  constexpr int arc_bits = 20;
+  constexpr double arc = 0x1p-12;
+  using Kind = ContactState::Kind;
+  ContactPattern mode = motion.mode;
+  for (std::size_t k = 0; k < mode.size(); ++k) {
+    if (!motion.touching.empty() && motion.touching[k]) {
+      const Rational square = square_of_tangent(contacts, motion.u, k);
+      mode[k].kind = !contacts.has_friction(k) ? Kind::closed : square.is_zero() ? Kind::stick : Kind::slip;
+    }
+    if (mode[k].kind != Kind::slip || contacts.dimension < 3) continue;
+    const std::size_t i = contacts.normal(k);
+    const double angle = std::atan2(motion.u[i + 2].to_double(), motion.u[i + 1].to_double());
+    mode[k].from = Direction::near(angle - arc, arc_bits);
+    mode[k].to = Direction::near(angle + arc, arc_bits);
+  }
+  const IntegerContacts integers(contacts);
+  const FloatingContacts floating(contacts);
+  PatternProgram program(contacts, integers, floating, mode, PatternProgram::Cones::within);
+  if (!program.feasibility().point) return std::nullopt;
+  auto found = find_motion(contacts, floating, mode, program.middle(), [](std::span<const double>) { return false; });
+  if (!found.motion || found.motion->differs(motion) || !found.motion->touching.empty()) return std::nullopt;
+  return found.motion;
+}
+
 std::optional<SpatialMotion> rest_by_short_forces(const ExactContacts& contacts) {
   constexpr std::size_t most_contacts = 5;
   if (contacts.contacts() > most_contacts) return std::nullopt;
@@ -232,9 +254,7 @@ std::optional<SpatialMotion> rest_by_short_forces(const ExactContacts& contacts)
   rest.u.resize(contacts.size()), rest.r.resize(contacts.size());
   auto r = ForcesAlong(contacts, rest.u, MotionRays(contacts, rest).rays()).most_even();
   if (!r) return std::nullopt;
-  ContactPattern mode(contacts.contacts());
-  for (std::size_t k = 0; k < mode.size(); ++k) mode[k].kind = contacts.has_friction(k) ? Kind::stick : Kind::closed;
-  auto motion = exact_motion(contacts, mode, std::move(*r));
+  auto motion = exact_motion(contacts, rest_pattern(contacts), std::move(*r));
   if (motion) motion->open_directions = forces_at(contacts, *motion).open_directions;
   return motion;
 }

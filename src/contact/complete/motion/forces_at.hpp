@@ -46,6 +46,9 @@ struct ForceFamily {
 /// With u = 0 at all contacts, by forces that are sums of the rays of forces_at(), for up to five contacts.
 std::optional<SpatialMotion> rest_by_short_forces(const ExactContacts& contacts);
 
+/// The motion in whose box this one is, by forces that press also where it touches; nothing where none are found.
+std::optional<SpatialMotion> pressing_motion(const ExactContacts& contacts, const SpatialMotion& motion);
+
 /// Of a motion that is_exact(): its own forces, if there are none that are open along more directions.
 ForceFamily forces_at(const ExactContacts& contacts, const SpatialMotion& motion);
 

@@ -22,12 +22,6 @@ Rational dot(std::span<const Rational> a, std::span<const Rational> b) {
   return sum;
 }
 
-std::vector<Rational> product(const RationalMatrix& W, std::span<const Rational> r) {
-  std::vector<Rational> result;
-  for (const auto& row : W) result.push_back(dot(r, row));
-  return result;
-}
-
 class MotionFinder {
  public:
   MotionFinder(const ExactContacts& exact, const FloatingContacts& contacts, const ContactPattern& mode,
@@ -210,7 +204,7 @@ class MotionFinder {
     const auto mode = linear_mode(z);
     if (!mode) return std::nullopt;
     RationalMatrix along, all(mode->rows.size()), system(mode->rows.size());
-    for (const std::vector<Rational>& column : mode->columns) along.push_back(product(exact_.W, column));
+    for (const std::vector<Rational>& column : mode->columns) along.push_back(velocity_changes(exact_, column));
     const std::vector<std::size_t> loaded = mode->loaded();
     for (std::size_t e = 0; e < mode->rows.size(); ++e) {
       for (const std::vector<Rational>& u : along) all[e].push_back(dot(mode->rows[e], u));
@@ -259,8 +253,14 @@ bool SpatialMotion::differs(const SpatialMotion& other) const {
   return false;
 }
 
+std::vector<Rational> velocity_changes(const ExactContacts& contacts, std::span<const Rational> r) {
+  std::vector<Rational> result;
+  for (const auto& row : contacts.W) result.push_back(dot(r, row));
+  return result;
+}
+
 std::vector<Rational> velocities(const ExactContacts& contacts, std::span<const Rational> r) {
-  std::vector<Rational> u = product(contacts.W, r);
+  std::vector<Rational> u = velocity_changes(contacts, r);
   for (std::size_t i = 0; i < u.size(); ++i) u[i] += contacts.q[i];
   return u;
 }

@@ -70,6 +70,9 @@ std::optional<SpatialMotion> exact_motion(const ExactContacts& contacts, const C
 
 /// Whether r with u = W r + q satisfies Coulomb's law exactly.
 bool satisfies_law(const ExactContacts& contacts, std::span<const Rational> r, std::span<const Rational> u);
+/// W r: what forces change of velocities.
+std::vector<Rational> velocity_changes(const ExactContacts& contacts, std::span<const Rational> r);
+/// W r + q.
 std::vector<Rational> velocities(const ExactContacts& contacts, std::span<const Rational> r);
 
 struct MotionCandidate {

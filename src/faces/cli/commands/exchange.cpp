@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "base/input/diagnostic.hpp"
-#include "base/number/parse.hpp"
 #include "base/output/output_file.hpp"
 #include "contact/exchange/export_bodies.hpp"
 #include "contact/exchange/export_scene.hpp"
@@ -26,16 +25,8 @@ struct ImportArguments {
   bool space = false, spatial = false, stand = false, without_meshes = false, without_overlaps = false, quiet = false;
 };
 
-Rational number(const std::string& option, const std::string& text) {
-  try {
-    return parse_rational(text);
-  } catch (const NumberError& error) {
-    throw CLI::ValidationError(option, error.what());
-  }
-}
-
 std::optional<Rational> number_or_none(const std::string& option, const std::string& text) {
-  return text.empty() ? std::nullopt : std::optional(number(option, text));
+  return text.empty() ? std::nullopt : std::optional(number_of(option, text));
 }
 
 imported::TouchOptions options_of(const ImportArguments& arguments) {
@@ -43,7 +34,7 @@ imported::TouchOptions options_of(const ImportArguments& arguments) {
   options.mu = number_or_none("--mu", arguments.mu);
   options.ground = number_or_none("--ground", arguments.ground);
   options.gravity = number_or_none("--gravity", arguments.gravity);
-  if (!arguments.touch.empty()) options.touch = number("--touch", arguments.touch);
+  if (!arguments.touch.empty()) options.touch = number_of("--touch", arguments.touch);
   for (const auto& [option, value] :
        {std::pair("--mu", options.mu), std::pair("--touch", std::optional(options.touch))}) {
     if (value && value->sign() < 0) throw CLI::ValidationError(option, "found a negative number, expected 0 or more");
@@ -146,7 +137,7 @@ std::pair<std::string, Rational> setting(const std::string& text) {
   if (sign == std::string::npos) {
     throw CLI::ValidationError("--set", "found " + in_quotes(text) + ", expected NAME=VALUE");
   }
-  return {text.substr(0, sign), number("--set", text.substr(sign + 1))};
+  return {text.substr(0, sign), number_of("--set", text.substr(sign + 1))};
 }
 
 MechanismScene scene_of(const ExportArguments& arguments) {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "base/input/diagnostic.hpp"
-#include "base/number/parse.hpp"
 #include "base/output/output_file.hpp"
 #include "contact/rest/rest_certificate.hpp"
 #include "faces/cli/command.hpp"
@@ -33,14 +32,6 @@ struct RestArguments {
 
 [[noreturn]] void refuse(const RestArguments& arguments, const std::string& message) {
   throw InputError({{arguments.scene, 0, 0, message}});
-}
-
-Rational number_of(const std::string& option, const std::string& text) {
-  try {
-    return parse_rational(text);
-  } catch (const NumberError& error) {
-    throw CLI::ValidationError(option, error.what());
-  }
 }
 
 /// `x,y,z`; nothing: z, the axis of the plane.
@@ -70,8 +61,9 @@ int exit_code_of(const RestAnswer& answer, const std::vector<std::string>& fail_
 
 RestMapQuestion map_question(const RestArguments& arguments) {
   RestMapQuestion question{arguments.map[0], arguments.map[1], {}, {}};
-  set_range(arguments.x_range, question.x_frame.from, question.x_frame.to);
-  set_range(arguments.y_range, question.y_frame.from, question.y_frame.to);
+  const auto x = range_of(arguments.x_range), y = range_of(arguments.y_range);
+  question.x_frame.from = x[0], question.x_frame.to = x[1];
+  question.y_frame.from = y[0], question.y_frame.to = y[1];
   for (const RestMap::Frame* frame : {&question.x_frame, &question.y_frame}) {
     if (frame->from && *frame->from >= *frame->to) {
       throw CLI::ValidationError("--map", "found a range that ends where it begins, expected FROM below TO");

@@ -21,7 +21,8 @@ class SpaceMotion(Motion[SpaceNumber]):
 
     ``slips``: by contact, the directions in which it slips, in degrees from T1 towards T2. ``accelerations``, in m/s^2 and
     rad/s^2, and ``forces``, in N, by their names; a force is None if the motion leaves it open. ``open_directions``:
-    along how many directions forces are open; then those in ``forces`` are some of them. ``exists``: it is proved that
+    along how many directions forces are open; then those in ``forces`` are some of them; None if it is not known
+    whether they are. ``exists``: it is proved that
     there is a motion in these bounds. ``unique``: and only one. ``others_within``: gaps and slips of others that count
     as this one differ from its own by no more; None if it is unique, or one of a family that moves in different ways.
     """
@@ -36,7 +37,7 @@ class SpaceMotion(Motion[SpaceNumber]):
         self.exists: bool = details["exists"]
         self.unique: bool = details["unique"]
         self.others_within: Optional[Fraction] = value(details["others_within"])
-        self.open_directions: int = details["open_directions"]
+        self.open_directions: Optional[int] = details["open_directions"]
         everything = {**self.accelerations, **self.forces}
         known = Values.of({name: number for name, number in everything.items() if number is not None})
         open_forces = {name: (None, None) for name, number in self.forces.items() if number is None}

@@ -95,7 +95,7 @@ def _error(motion: Motion[Any], kinds: Tuple[List[str], List[str]], answer: Mapp
     the error from the farther one; forces that are open have none."""
     worst, told = 0.0, ""
     for names in kinds:
-        if isinstance(motion, SpaceMotion) and motion.open_directions and names is kinds[1]:
+        if isinstance(motion, SpaceMotion) and motion.open_directions != 0 and names is kinds[1]:
             continue
         known = {name: motion.values[name] for name in names if name in motion.values}
         ends = {name: x if isinstance(x, Bounds) else (x, x) for name, x in known.items()}

@@ -1,6 +1,7 @@
 #include "report/picture/space/flat.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace slipproof {
 
@@ -30,6 +31,14 @@ std::vector<Point> hull_of(std::vector<Point> points) {
   std::ranges::reverse(points);
   half(points);
   return hull;
+}
+
+bool is_inside(Point point, const std::vector<Point>& polygon) {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point from = polygon[i], to = polygon[(i + 1) % polygon.size()];
+    if (left_of(from, to, point) < -std::hypot(to[0] - from[0], to[1] - from[1])) return false;
+  }
+  return true;
 }
 
 std::vector<Point> clipped(std::vector<Point> polygon, const std::vector<Point>& inside) {

@@ -72,8 +72,22 @@ std::vector<Vec3> Scenery::corners() const {
   return all;
 }
 
-bool Scenery::has_shadows() const {
-  return std::ranges::any_of(pieces_, [](const Piece& piece) { return !piece.shadows.empty(); });
+bool Scenery::shows_shadows(const SpaceView& view) const {
+  if (dot(geometry_.up, towards_) <= 0) return false;
+  std::vector<std::vector<Point>> in_front;  // outlines of what is painted later
+  const auto covered = [&](const Vec3& p) {
+    return std::ranges::any_of(in_front, [&](const auto& outline) { return is_inside(view.pixel(p), outline); });
+  };
+  for (std::size_t i = order_.size(); i-- > 0;) {
+    const Piece& piece = pieces_[order_[i]];
+    for (const auto& shadow : piece.shadows) {
+      if (!std::ranges::all_of(shadow, covered)) return true;
+    }
+    std::vector<Point> corners;
+    for (const Vec3& corner : piece.solid.corners) corners.push_back(view.pixel(corner));
+    in_front.push_back(hull_of(std::move(corners)));
+  }
+  return false;
 }
 
 bool Scenery::touches(std::size_t body, std::size_t plane) const {

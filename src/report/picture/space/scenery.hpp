@@ -27,7 +27,8 @@ class Scenery {
   /// All corners of what is drawn: the picture must show them.
   std::vector<Vec3> corners() const;
   void draw(const Element& svg, const SpaceView& view, PictureLabels& labels) const;
-  bool has_shadows() const;
+  /// Whether one sees more of a shadow than what solids cover.
+  bool shows_shadows(const SpaceView& view) const;
   const std::vector<Piece>& pieces() const { return pieces_; }
 
  private:

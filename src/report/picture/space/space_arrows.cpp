@@ -146,9 +146,7 @@ void SpaceArrows::contact_directions(const SpaceGeometry::Contact& contact) {
     arrow(contact.at, end, css);
     const Point start = in_.view.pixel(contact.at), tip = in_.view.pixel(end);
     if (in_.lettered || std::hypot(tip[0] - start[0], tip[1] - start[1]) < seen) return;
-    std::string symbol = in_.scene.mechanism.unknowns[unknown].symbol;
-    if (symbol.ends_with("_" + c.name)) symbol.resize(symbol.size() - c.name.size() - 1);  // which is beside it
-    name_once(symbol, start, tip);
+    name_once(force_symbol(in_.scene.mechanism, contact.index, unknown), start, tip);
   };
   direction(c.normal, contact.normal, "normal");
   signs_.insert(SpaceSign::normal);
@@ -231,7 +229,7 @@ void SpaceArrows::weight(const SpaceGeometry::Weight& weight) {
   const double reach = plain ? plain_push / in_.view.scale() : force_unit_ * length(weight.is);
   const Vec3 end = weight.at + reach * direction_of(weight.is);
   arrow(weight.at, end, "load weight");
-  const std::string words = "weight " + rounded_value(length(weight.is));
+  const std::string words = quantity("weight", length(weight.is), "N", "");
   const Point tip = in_.view.pixel(end);
   if (named() && !in_.lettered) {
     labels_.words({tip, halfway_to(in_.view.pixel(weight.at), tip)}, words);
@@ -245,12 +243,13 @@ void SpaceArrows::body(const SpaceGeometry::MovingBody& body) {
   straight(body.at, body.velocity, true, body.name, in_.sizes.speed);
   const auto turning = [&](const Vec3& axis, bool before, double largest) {
     if (length(axis) <= nothing * largest || largest == 0) return;
-    const std::string words = (before ? "spin " : "turning ") + rounded_value(length(axis));
+    const std::string words =
+        quantity(before ? "spin" : "turning", length(axis), before ? "rad/s" : "rad/s²", body.name);
     const auto places = turn(body.at, axis, before ? turn_radius : turn_radius + 8,
                              before ? "velocity" : "acceleration", before ? ArrowLine::solid : ArrowLine::dotted);
     if (named()) labels_.words(places, words);
     signs_.insert(before ? SpaceSign::velocity : SpaceSign::acceleration);
-    described_.push_back(body.name + ": " + words);
+    describe(body.name, words);
   };
   turning(body.spin, true, in_.sizes.spin);
   if (in_.motion == nullptr) return;
@@ -263,14 +262,25 @@ void SpaceArrows::straight(const Vec3& at, const Vec3& way, bool before, const s
   if (size == 0 || length(way) <= nothing * size) return;
   const Vec3 end = at + (longest_way / in_.view.scale() / size) * way;
   arrow(at, end, before ? "velocity" : "acceleration", before ? ArrowLine::solid : ArrowLine::dotted);
-  const std::string words = (before ? "v " : "a ") + rounded_value(length(way));
+  const std::string words = quantity(before ? "v" : "a", length(way), before ? "m/s" : "m/s²", name);
   const Point from = in_.view.pixel(at), to = in_.view.pixel(end);
   if (named()) {
     labels_.words({to, halfway_to(from, to)}, words);
     names_.push_back({at, end, words});
   }
   signs_.insert(before ? SpaceSign::velocity : SpaceSign::acceleration);
-  described_.push_back(name + ": " + words);
+  describe(name, words);
+}
+
+/// `v = 3 m/s`; with several bodies `cart: v = 3 m/s`.
+std::string SpaceArrows::quantity(const std::string& symbol, double value, const std::string& unit,
+                                  const std::string& body) const {
+  std::string words = symbol + " " + rounded_value(value) + (in_.geometry.has_units ? " " + unit : "");
+  return body.empty() || in_.geometry.bodies.size() < 2 ? words : body + ": " + words;
+}
+
+void SpaceArrows::describe(const std::string& body, const std::string& words) {
+  described_.push_back(words.starts_with(body + ": ") ? words : body + ": " + words);
 }
 
 std::vector<Point> SpaceArrows::turn(const Vec3& at, const Vec3& axis, double radius, std::string_view css,

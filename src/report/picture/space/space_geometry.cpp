@@ -28,6 +28,7 @@ class SpaceReader {
       const Vec3 down = vector(bodies_.gravity);
       if (length(down) > 0) result_.up = direction_of(-1 * down);
     }
+    result_.has_units = std::ranges::any_of(m_.unknowns, [](const auto& unknown) { return !unknown.unit.empty(); });
     for (const Body& body : bodies_.bodies) frames_.push_back(frame(body));
     points_.resize(frames_.size());
     for (std::size_t i = 0; i < frames_.size(); ++i) add_body(i);
@@ -153,7 +154,8 @@ class SpaceReader {
   void add_joint(const BodyJoint& joint) {
     using Kind = BodyJoint::Kind;
     if (joint.kind == Kind::gear) return;
-    SpaceGeometry::Joint drawn{joint.kind, joint.name, frames_[joint.first].place(vector(joint.at)), {}, {}};
+    SpaceGeometry::Joint drawn{
+        joint.kind, joint.contact ? "" : joint.name, frames_[joint.first].place(vector(joint.at)), {}, {}};
     const bool long_one = joint.kind == Kind::rod || joint.kind == Kind::rope || joint.kind == Kind::spring;
     drawn.to = joint.to ? frames_[joint.second].place(vector(joint.to)) : drawn.at;
     if (!long_one && !joint.to) drawn.to = drawn.at;

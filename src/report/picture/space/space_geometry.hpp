@@ -38,8 +38,8 @@ struct SpaceGeometry {
   };
   struct Joint {
     BodyJoint::Kind kind = BodyJoint::Kind::ball;
-    std::string name;
-    Vec3 at{}, to{};  ///< the same where its ends meet
+    std::string name;  ///< empty where its contact has it
+    Vec3 at{}, to{};   ///< the same where its ends meet
     std::vector<Vec3> axes;
   };
   struct Push {
@@ -67,6 +67,7 @@ struct SpaceGeometry {
   std::vector<Weight> weights;
   std::vector<MovingBody> bodies;  ///< without the ground
   Vec3 up{0, 0, 1};                ///< against gravity, where there is some
+  bool has_units = false;          ///< m, s, kg
 };
 
 /// Throws InputError if a coordinate has no value in the scene.

@@ -88,7 +88,7 @@ class SpacePicture {
     arrows.draw();
     for (const Point& end : arrows.ends()) frame.see(end);
     signs_.insert(arrows.signs().begin(), arrows.signs().end());
-    if (scenery_.has_shadows()) signs_.insert(SpaceSign::shadow);
+    if (scenery_.shows_shadows(view_)) signs_.insert(SpaceSign::shadow);
     name_parts(labels);
     for (const LabelBox& box : labels.draw(svg)) frame.see(box);
     below(svg, motion, frame, lettered);

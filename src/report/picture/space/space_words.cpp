@@ -8,6 +8,7 @@
 #include "base/number/binary64.hpp"
 #include "base/number/format.hpp"
 #include "base/output/listed.hpp"
+#include "report/markup/symbol.hpp"
 #include "report/picture/labels/contact_table.hpp"
 
 namespace slipproof {
@@ -65,7 +66,11 @@ std::string kind_of(const SpaceMotion& motion) {
   } else if (motion.is_continuum()) {
     words.emplace_back("one of a continuum");
   }
-  if (motion.open_directions > 0) words.push_back("forces open along " + counted(motion.open_directions, "direction"));
+  if (!motion.open_directions) {
+    words.emplace_back("forces may be open");
+  } else if (motion.may_be_open()) {
+    words.push_back("forces open along " + counted(*motion.open_directions, "direction"));
+  }
   return listed(words);
 }
 
@@ -126,13 +131,21 @@ std::vector<std::vector<std::string>> contact_rows(const MechanismScene& scene, 
     if (motion != nullptr) {
       const auto force = [&](std::size_t unknown) { return motion->forces[unknown - m.accelerations]; };
       row[1] = motion->modes[i] + (motion->slips[i] ? " at " + angle_text(*motion->slips[i]) : "");
-      if (motion->modes[i] != "lift") row[2] = "N " + numbers.text(force(c.normal));
+      if (motion->modes[i] != "lift")
+        row[2] = plain_symbol(force_symbol(m, i, c.normal)) + " " + numbers.text(force(c.normal));
       if (motion->modes[i] != "lift" && c.second)
         row[3] = "T " + numbers.pair(force(*c.tangent), force(c.second->force));
     }
     rows.push_back(std::move(row));
   }
   return rows;
+}
+
+std::string force_symbol(const Mechanism& mechanism, std::size_t contact, std::size_t unknown) {
+  std::string symbol = mechanism.unknowns[unknown].symbol;
+  const std::string name = "_" + mechanism.contacts[contact].name;
+  if (symbol.ends_with(name)) symbol.resize(symbol.size() - name.size());
+  return symbol;
 }
 
 std::string contact_text(const MechanismScene& scene, const SpaceMotion* motion, std::size_t contact) {

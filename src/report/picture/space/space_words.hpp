@@ -47,6 +47,9 @@ class SpaceNumbers {
 std::vector<std::vector<std::string>> contact_rows(const MechanismScene& scene, const SpaceMotion* motion,
                                                    const SpaceNumbers& numbers, bool lettered);
 
+/// The symbol of a force at a contact, without the contact's name: `N` of `N_foot`.
+std::string force_symbol(const Mechanism& mechanism, std::size_t contact, std::size_t unknown);
+
 /// `A: slip`; the name alone without a motion.
 std::string contact_text(const MechanismScene& scene, const SpaceMotion* motion, std::size_t contact);
 
