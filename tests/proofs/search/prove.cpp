@@ -75,7 +75,7 @@ TEST_CASE("neither the number of threads nor that of ranks changes a byte") {
   std::erase_if(statements,
                 [](const auto& path) { return path.filename().string().find("cell") != std::string::npos; });
   REQUIRE(statements.size() > 20);
-  const auto every = slipproof::test::how_many<std::size_t>("SLIPPROOF_BY_HAND_EVERY", 3);
+  const auto every = slipproof::test::how_many<std::size_t>("SLIPPROOF_BY_HAND_EVERY", 6);
   for (std::size_t i = 0; i * every < statements.size(); ++i) statements[i] = statements[i * every];
   statements.resize((statements.size() + every - 1) / every);
   slipproof::ProveOptions options;
