@@ -42,6 +42,14 @@ bool is_of_accelerations(StateCondition c) {
   return c == StateCondition::slips_forward || c == StateCondition::slips_backward || c == StateCondition::opens;
 }
 
+/// Brackets are printed around all of a side only; here they are in a power.
+Expression without_brackets(const Expression& e) {
+  if (e->operands.size() == 1 && (e->operation == Operation::add || e->operation == Operation::multiply))
+    return without_brackets(e->operands[0]);
+  if (e->operation != Operation::multiply) return e;
+  return make(Operation::multiply, {without_brackets(e->operands[0]), without_brackets(e->operands[1])});
+}
+
 }  // namespace
 
 Expression WrittenForm::compared(Relation relation) const {
@@ -240,7 +248,7 @@ Expression MechanicsWriter::state_name(std::size_t element, ElementState state) 
 
 Expression MechanicsWriter::cone(std::size_t element, Relation relation) const {
   const WrittenElement& e = elements_[element];
-  const auto square = [](const WrittenForm& form) { return make_power(form.alone(), 2); };
+  const auto square = [](const WrittenForm& form) { return make_power(without_brackets(form.alone()), 2); };
   const Expression force = make(Operation::add, {square(e.tangent), square(e.second_tangent)});
   return make_comparison({force, square(e.static_limit)}, {relation});
 }

@@ -169,7 +169,7 @@ TEST_CASE("statements have the cone as a polynomial inequality, and the judge in
   const ClaimsFile file = in_space(block, interval("P^2 <= m^2*g^2*(mu^2*c^2 - s^2)"));
   const auto statements = claim_statements(file, file.claims.front(), Reading::printed);
   REQUIRE(statements.size() == 2);
-  CHECK(statements[0].text.find("T1_base^2 + T2_base^2 <= (mu*N_base)^2") != std::string::npos);
+  CHECK(statements[0].text.find("T1_base^2 + T2_base^2 <= (mu * N_base)^2") != std::string::npos);
   CHECK(canonical_claims(file).empty());
 }
 
