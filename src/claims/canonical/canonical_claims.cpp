@@ -201,6 +201,7 @@ std::string canonical_claims(const ClaimsFile& file) {
   std::map<std::pair<std::size_t, Reading>, std::size_t> numbers;
   std::string settings, claims;
   for (const Claim& claim : file.claims) {
+    if (file.settings[claim.setting].mechanism->dimension == 3) continue;
     for (const Reading reading : all_readings) {
       if (reading == Reading::repaired && !claim.repaired) continue;
       const auto [number, is_new] = numbers.try_emplace({claim.setting, reading}, numbers.size());

@@ -10,7 +10,8 @@
 namespace slipproof {
 
 /// All claims of the kinds that the judge knows, in each of their readings; the repaired one is called ID.repaired.
-/// Leaves out claims of other kinds. Linear in the length of the settings and claims.
+/// Leaves out claims of other kinds, and about mechanisms in space, whose cones of friction the judge does not know.
+/// Linear in the length of the settings and claims.
 std::string canonical_claims(const ClaimsFile& file);
 
 }  // namespace slipproof

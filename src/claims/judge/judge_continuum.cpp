@@ -168,7 +168,9 @@ Judgement ClaimJudge::holds_of_all(const ForceInterval& forces, const MechanismM
   end(forces.upper(), -1, forces.upper_closed());
 
   PointSearch search(programs_.holds, evaluator, std::move(polytope));
-  if (const auto point = search.find(Wanted::no)) {
+  const auto point = search.find(Wanted::no);
+  if (point && forms.with_cones) return undecided();  // the point may be outside of a cone
+  if (point) {
     return refuted(Reason::formula, mode, ForceInterval::point(point->front()));
   }
   return search.find(Wanted::not_yes) ? undecided() : holds();

@@ -4,7 +4,10 @@
 #include <filesystem>
 
 #include "claims/reading/claims_reader.hpp"
+#include "mechanics/bodies/identity.hpp"
 #include "mechanics/kernel/mode_solver.hpp"
+#include "mechanics/mechanism/algebra.hpp"
+#include "mechanics/mechanism/forms.hpp"
 #include "mechanics/scene/bicycle_scene.hpp"
 #include "mechanics/scene/scene.hpp"
 
@@ -160,6 +163,27 @@ class SceneReader {
   std::size_t index_;
 };
 
+/// Whether claims know all states of a mechanism but slips in directions that are unknown; if not, reports why.
+bool is_stated(const Mechanism& mechanism, const TableReader& table) {
+  if (mechanism.dimension == 2) return true;
+  for (const MechanismContact& contact : mechanism.contacts) {
+    const auto refuse = [&](const std::string& found) {
+      table.refuse("mechanism", "contact " + contact.name + ": found " + found);
+      return false;
+    };
+    if (contact.bilateral && !contact.frictionless()) {
+      return refuse("a guide with friction in space, expected one without");
+    }
+    if (contact.sliding.size() != 2) continue;
+    const Expression &x = contact.sliding[0].expression, &y = contact.sliding[1].expression;
+    const Expression beyond_1 = difference_of(sum_of(make_power(x, 2), make_power(y, 2)), make_number(1));
+    if (!bodies_in_motion::vanishes_identically(mechanism, beyond_1)) {
+      return refuse("a sliding velocity whose length is no rational expression, expected one such as (3*v, 4*v)");
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 bool read_mechanism(const TableReader& table, Context& context, Setting& setting) {
@@ -168,9 +192,11 @@ bool read_mechanism(const TableReader& table, Context& context, Setting& setting
   setting.along = context.optional_text(table, "along");
   auto& known = context.mechanisms[{setting.mechanism_name, setting.along}];
   if (!known) {
-    auto opened = named_mechanism(table, std::filesystem::path(context.file.file).parent_path().string());
-    if (!opened) return false;
-    known = std::make_shared<const Mechanism>(std::move(*opened));
+    auto opened =
+        named_mechanism(table, std::filesystem::path(context.file.file).parent_path().string(), Dimensions::any);
+    if (!opened || !is_stated(*opened, table)) return false;
+    // In space modes are judged at one load: it is a parameter of the paper like all others.
+    known = std::make_shared<const Mechanism>(opened->dimension == 3 ? without_load(*opened) : std::move(*opened));
   }
   setting.mechanism = known;
   setting.starts = starts(*known);

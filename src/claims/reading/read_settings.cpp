@@ -191,6 +191,11 @@ class SettingReader {
     static constexpr std::array<std::string_view, 5> keys{"symbol", "kind", "domain", "line", "unit"};
     const TableReader table(*force, "[setting.force]", keys, context_.mistakes);
     check_unit(table, load && !of_bicycle(table_) ? load->unit : std::string());
+    if (!load && setting_.mechanism->dimension == 3) {
+      return table_.refuse("force",
+                           "found beside a mechanism in space, expected none: there the load is one of the parameters, "
+                           "with its symbol in [setting.parameters], and in [setting.scene] if it has another name");
+    }
     if (!load) return table_.refuse("force", "found a force, but the mechanism has no load");
     setting_.force.symbol = context_.text(table, "symbol", "the paper's symbol of the force");
     if (table.string("symbol") != nullptr) declare(setting_.force.symbol, table.place("symbol"));

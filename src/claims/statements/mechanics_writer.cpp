@@ -36,10 +36,18 @@ std::vector<std::string> unknowns_of(const Mechanism& mechanism) {
 }
 
 bool is_of_accelerations(StateEquation e) {
-  return e == StateEquation::gap || e == StateEquation::slip;
+  return e == StateEquation::gap || e == StateEquation::slip || e == StateEquation::second_slip;
 }
 bool is_of_accelerations(StateCondition c) {
   return c == StateCondition::slips_forward || c == StateCondition::slips_backward || c == StateCondition::opens;
+}
+
+/// Brackets are printed around all of a side only; here they are in a power.
+Expression without_brackets(const Expression& e) {
+  if (e->operands.size() == 1 && (e->operation == Operation::add || e->operation == Operation::multiply))
+    return without_brackets(e->operands[0]);
+  if (e->operation != Operation::multiply) return e;
+  return make(Operation::multiply, {without_brackets(e->operands[0]), without_brackets(e->operands[1])});
 }
 
 }  // namespace
@@ -110,6 +118,12 @@ void MechanicsWriter::write_elements() {
     element.tangent = WrittenForm(unknowns_[*contact.tangent]);
     element.static_limit = WrittenForm::limit(friction(contact.static_friction.expression, normal));
     element.kinetic_limit = WrittenForm::limit(friction(contact.kinetic_friction.expression, normal));
+    if (!contact.second) continue;
+    element.second_slip = WrittenForm(contact.second->name);
+    element.second_tangent = WrittenForm(unknowns_[contact.second->force]);
+    if (contact.sliding.size() != 2) continue;
+    element.drag = WrittenForm::limit(friction(drag_factor(contact, contact.sliding[0]), normal));
+    element.second_drag = WrittenForm::limit(friction(drag_factor(contact, contact.sliding[1]), normal));
   }
   for (const MechanismFriction& friction : setting_.mechanism->friction) {
     WrittenElement& element = elements_.emplace_back();
@@ -123,8 +137,8 @@ void MechanicsWriter::write_elements() {
 
 void MechanicsWriter::name_states(WrittenElement& element, const std::string& name) {
   constexpr std::array<const char*, element_state_count> verbs{
-      "sticks",        "slips_forwards",        "slips_backwards",        "lifts",  "touches",
-      "sticks_pulled", "slips_forwards_pulled", "slips_backwards_pulled", "is_free"};
+      "sticks",        "slips_forwards",        "slips_backwards",        "lifts",   "touches",
+      "sticks_pulled", "slips_forwards_pulled", "slips_backwards_pulled", "is_free", "slips"};
   for (std::size_t i = 0; i < verbs.size(); ++i)
     element.state_names[i] = made_up_.take(fmt::format("{}_{}", name, verbs[i]));
 }
@@ -167,6 +181,7 @@ std::vector<Directive> MechanicsWriter::equations() const {
   for (const MechanismContact& contact : mechanism.contacts) {
     add_value(contact.gap_name, contact.gap);
     if (contact.slip) add_value(contact.slip_name, contact.slip);
+    if (contact.second) add_value(contact.second->name, contact.second->slip);
   }
   for (const MechanismFriction& friction : mechanism.friction) add_value(friction.slip_name, friction.slip);
   auto name = equation_names_.begin();
@@ -231,6 +246,13 @@ Expression MechanicsWriter::state_name(std::size_t element, ElementState state) 
   return make_symbol(elements_[element].state_names[static_cast<std::size_t>(state)]);
 }
 
+Expression MechanicsWriter::cone(std::size_t element, Relation relation) const {
+  const WrittenElement& e = elements_[element];
+  const auto square = [](const WrittenForm& form) { return make_power(without_brackets(form.alone()), 2); };
+  const Expression force = make(Operation::add, {square(e.tangent), square(e.second_tangent)});
+  return make_comparison({force, square(e.static_limit)}, {relation});
+}
+
 Directive MechanicsWriter::state_definition(std::size_t element, ElementState state, bool strict) const {
   const WrittenElement& e = elements_[element];
   const Relation above = strict ? Relation::greater : Relation::greater_equal;
@@ -245,6 +267,8 @@ Directive MechanicsWriter::state_definition(std::size_t element, ElementState st
     parts.push_back(make_comparison({least, condition->operands[0], condition->operands[1]},
                                     {condition->relations[0], condition->relations[0]}));
   }
+  if (holds_in_cone(kinds_[element], state))
+    parts.push_back(cone(element, strict ? Relation::less : Relation::less_equal));
   return {define, 0, {state_name(element, state)->symbol}, conjoined(parts)};
 }
 
@@ -292,6 +316,7 @@ Expression MechanicsWriter::mode_missed(const MechanismMode& mode) const {
       if (c == StateCondition::holds_forward) add(StateCondition::holds_backward);
       add(c);
     }
+    if (!any_forces && holds_in_cone(kinds_[i], mode[i])) parts.push_back(cone(i, Relation::greater));
   }
   return parts.empty() ? make_truth(false) : disjoined(parts);
 }

@@ -120,6 +120,8 @@ class MechanicsWriter {
   const std::string& name(const std::string& symbol) const { return names_.find(symbol)->second; }
   Expression number(const Expression& of_mechanism) const;
   Expression friction(const Expression& coefficient, const std::string& normal) const;
+  /// T1^2 + T2^2 against (mu*N)^2, of a contact in space.
+  Expression cone(std::size_t element, Relation relation) const;
   Directive state_definition(std::size_t element, ElementState state, bool strict) const;
   /// All equations of a state, with `=` or `!=`, or only those about accelerations.
   std::vector<Expression> equations_of(std::size_t element, ElementState state, Relation relation,

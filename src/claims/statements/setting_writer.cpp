@@ -36,7 +36,7 @@ StatedMotion SettingWriter::equations(const std::optional<MechanismMode>& mode) 
 }
 
 StatedMotion SettingWriter::any_motion(bool strict) {
-  for (const ElementKind& kind : setting().kinds()) complete_ = complete_ && kind.lifts;
+  for (const ElementKind& kind : setting().kinds()) complete_ = complete_ && kind.all_modelled();
   return {mechanics_.all_definitions(strict), conjoined({mechanics_.dynamics(), mechanics_.in_any_mode()})};
 }
 

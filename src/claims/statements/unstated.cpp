@@ -1,5 +1,7 @@
 #include "claims/statements/unstated.hpp"
 
+#include <algorithm>
+
 #include "base/parallel/failure.hpp"
 
 namespace slipproof {
@@ -12,12 +14,19 @@ std::string reason(const Setting& setting, const ClaimBody& body) {
   const auto kinds = setting.kinds();
   for (const MechanismMode& mode : body.modes) {
     for (std::size_t i = 0; i < mode.size(); ++i) {
-      if (mode[i] != ElementState::lift || kinds[i].lifts) continue;
       const Mechanism& mechanism = *setting.mechanism;
+      if (mode[i] == ElementState::slip && !has_state(kinds[i], mode[i])) {
+        return "a slip of " + element_name(mechanism, i) +
+               " from rest, in a direction that nobody knows before, is not modelled: `slipproof solve` finds it";
+      }
+      if (mode[i] != ElementState::lift || kinds[i].lifts) continue;
       const std::size_t needed = missing_for_lift(mechanism.contacts[i], setting.given()).front();
       return "lift of " + element_name(mechanism, i) + " is not modelled without " +
              mechanism.parameters[needed].symbol + " in [setting.scene]";
     }
+  }
+  if (body.kind->traits().of_all_motions && !std::ranges::all_of(kinds, &ElementKind::all_modelled)) {
+    return "it is about all motions, and not all states of contacts are modelled";
   }
   if (body.expect == Expectation::refuted) return "statements cannot say how this claim fails";
   return "it would take too many cases or variables";

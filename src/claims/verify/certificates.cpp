@@ -285,7 +285,7 @@ void find_certificates(const ClaimsFile& file, VerifyResult& result, Certificate
 
 void find_judgements(const ClaimsFile& file, VerifyResult& result, Certificates& certificates) {
   const auto stated = certificates.canonical();
-  if (!result.second_checker || !stated || *stated != canonical_claims(file)) return;
+  if (!result.second_checker || stated.value_or("") != canonical_claims(file)) return;
   for (ClaimResult& claim : result.claims) {
     const std::string name = file.claims[claim.claim].id + (claim.reading == Reading::repaired ? ".repaired" : "");
     const std::string judgement = certificates.judgement(name);

@@ -55,7 +55,8 @@ class Maker {
     if (const auto& witnesses = example.judgement.witnesses; witnesses && !witnesses->empty()) {
       example.force = witnesses->sample();
       if (setting().mechanism->load) example.scene.load = sample->load(*example.force);
-      example.motions = motions_of(sample->problem(), example.scene.load);
+      // In space the motions that slip from rest are not known here.
+      if (setting().mechanism->dimension == 2) example.motions = motions_of(sample->problem(), example.scene.load);
     }
     for (const std::size_t i : unrealisable(setting_, found.values)) {
       example.unrealisable.push_back(setting().realisable[i].name);

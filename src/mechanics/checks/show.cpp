@@ -64,7 +64,9 @@ std::string two(const PlacedExpression& at_rest, const PlacedExpression& in_slip
 
 class MechanismText {
  public:
-  explicit MechanismText(const Mechanism& mechanism) : m_(mechanism), kinds_(element_kinds(mechanism)) {}
+  explicit MechanismText(const Mechanism& mechanism) : m_(mechanism), kinds_(element_kinds(mechanism)) {
+    for (ElementKind& kind : kinds_) kind.slips = true;
+  }
 
   std::string text() {
     text_ = wrapped("", m_.name);
@@ -143,10 +145,7 @@ class MechanismText {
   std::string states_of(std::size_t element) const {
     std::vector<std::string> names;
     for (const ElementState state : states(kinds_[element])) {
-      const bool turned =
-          m_.dimension == 3 && (state == ElementState::slip_forward || state == ElementState::slip_backward);
-      if (!turned) names.emplace_back(name(state));
-      if (turned && (names.empty() || names.back() != any_slip)) names.emplace_back(any_slip);
+      names.emplace_back(state == ElementState::slip ? any_slip : name(state));
     }
     return listed(names);
   }

@@ -13,7 +13,7 @@ using Start = ElementKind::Start;
 using State = ElementState;
 
 constexpr std::array<std::string_view, element_state_count> names{"stick",  "slip+",  "slip-",  "lift", "touch",
-                                                                  "stick~", "slip+~", "slip-~", "free"};
+                                                                  "stick~", "slip+~", "slip-~", "free", "slip"};
 
 std::vector<State> slipping(Start start) {
   switch (start) {
@@ -24,6 +24,12 @@ std::vector<State> slipping(Start start) {
     default:
       return {State::stick, State::slip_forward, State::slip_backward};
   }
+}
+
+/// Of a contact in space.
+std::vector<State> closed_in_space(const ElementKind& kind) {
+  if (kind.slides()) return {State::slip};
+  return kind.slips ? std::vector{State::stick, State::slip} : std::vector{State::stick};
 }
 
 State pulled(State state) {
@@ -69,10 +75,12 @@ std::optional<ElementState> parse_element_state(std::string_view text) {
 std::vector<ElementState> states(const ElementKind& kind) {
   const State apart = kind.law == Law::limited ? State::free : State::lift;
   if (kind.start == Start::open) return {apart};
-  std::vector<State> result = kind.law == Law::frictionless ? std::vector{State::touch} : slipping(kind.start);
+  std::vector<State> result = kind.law == Law::frictionless ? std::vector{State::touch}
+                              : kind.law == Law::cone       ? closed_in_space(kind)
+                                                            : slipping(kind.start);
   if (kind.law == Law::limited && !kind.contact) return result;
   if (kind.bilateral) {
-    if (kind.law == Law::frictionless) return result;
+    if (kind.law == Law::frictionless || kind.law == Law::cone) return result;
     const std::size_t pushed = result.size();
     for (std::size_t i = 0; i < pushed; ++i) result.push_back(pulled(result[i]));
   } else if (kind.lifts) {

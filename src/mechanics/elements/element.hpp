@@ -1,5 +1,5 @@
-// What touches, rubs or holds in a planar mechanism, and the states it can be in: the one table of contact states, with
-// the equations and the conditions of each.
+// What touches, rubs or holds in a mechanism, and the states it can be in: the one table of contact states, with the
+// equations and the conditions of each.
 #pragma once
 
 #include <array>
@@ -17,7 +17,8 @@ struct ElementKind {
   enum class Law : std::uint8_t {
     coulomb,       ///< |S| <= mu N
     frictionless,  ///< no S
-    limited        ///< no N; |S| <= limit
+    limited,       ///< no N; |S| <= limit
+    cone           ///< in space: T1^2 + T2^2 <= (mu N)^2
   };
   /// The state before the motion: at rest, sliding with the sign of its slip, or apart.
   enum class Start : std::uint8_t { rest, slides_forward, slides_backward, open };
@@ -26,12 +27,15 @@ struct ElementKind {
   Start start = Start::rest;
   bool bilateral = false;  ///< a guide: N of either sign, and it never opens
   bool lifts = true;       ///< whether `lift` is modelled
+  bool slips = true;       ///< of a cone at rest: whether `slip` is modelled, in a direction that nobody knows before
   /// The contact whose normal force limits this friction element, as for rolling resistance; its index is lower than
   /// the element's own. The element is `free` exactly if the contact lifts, and pulled if the contact is; `bilateral`
   /// and `lifts` are those of the contact.
   std::optional<std::size_t> contact = {};
 
   constexpr bool slides() const { return start == Start::slides_forward || start == Start::slides_backward; }
+  /// Whether its states have linear equations, and all of them are modelled.
+  constexpr bool all_modelled() const { return lifts && (law != Law::cone || start != Start::rest || slips); }
 };
 
 /// The state of one element. A tilde marks a guide that pulls: N <= 0, and the friction law has -N for N.
@@ -44,10 +48,11 @@ enum class ElementState : std::uint8_t {
   pulled_stick,          ///< `stick~`
   pulled_slip_forward,   ///< `slip+~`
   pulled_slip_backward,  ///< `slip-~`
-  free                   ///< `free`, of a friction element whose contact lifts: S = 0
+  free,                  ///< `free`, of a friction element whose contact lifts: S = 0
+  slip                   ///< `slip`, in space: friction of the size mu N against the sliding velocity
 };
 
-inline constexpr std::size_t element_state_count = 9;  ///< length of tables by state
+inline constexpr std::size_t element_state_count = 10;  ///< length of tables by state
 
 std::string_view name(ElementState state);
 /// In space a contact slides in a direction that its velocities have, not forward or backward: `slides`.
@@ -85,12 +90,16 @@ class StateList {
 
 /// An equation of a state.
 enum class StateEquation : std::uint8_t {
-  gap,              ///< gap = 0 (gap and slip are accelerations)
-  slip,             ///< slip = 0
-  no_normal,        ///< N = 0
-  no_tangent,       ///< S = 0
-  resists_forward,  ///< S = -kinetic limit
-  resists_backward  ///< S = +kinetic limit
+  gap,               ///< gap = 0 (gap and slip are accelerations)
+  slip,              ///< slip = 0
+  second_slip,       ///< in space, of the other direction
+  no_normal,         ///< N = 0
+  no_tangent,        ///< S = 0
+  no_second,         ///< in space, of the other direction
+  resists_forward,   ///< S = -kinetic limit
+  resists_backward,  ///< S = +kinetic limit
+  drags,             ///< in space: T1 = -mu N d1, where d is the direction in which the contact slides
+  drags_second       ///< T2 = -mu N d2
 };
 constexpr StateList<StateEquation> equations(const ElementKind& kind, ElementState state);
 
@@ -108,6 +117,10 @@ enum class StateCondition : std::uint8_t {
   kinetic_limit
 };
 constexpr StateList<StateCondition> conditions(const ElementKind& kind, ElementState state);
+/// Whether T1^2 + T2^2 <= (static limit)^2 is a condition, too, the only one that is not linear.
+constexpr bool holds_in_cone(const ElementKind& kind, ElementState state) {
+  return kind.law == ElementKind::Law::cone && state == ElementState::stick;
+}
 
 /// A state for each element, in the order of the mechanism.
 using MechanismMode = std::vector<ElementState>;
@@ -136,10 +149,17 @@ constexpr StateList<StateEquation> equations(const ElementKind& kind, ElementSta
   if (state == ElementState::lift) {
     result.add(StateEquation::no_normal);
     if (!frictionless) result.add(StateEquation::no_tangent);
+    if (kind.law == ElementKind::Law::cone) result.add(StateEquation::no_second);
     return result;
   }
   if (kind.law != ElementKind::Law::limited) result.add(StateEquation::gap);
   if (state == ElementState::touch) return result;
+  if (kind.law == ElementKind::Law::cone) {
+    const bool sticks = state == ElementState::stick;
+    result.add(sticks ? StateEquation::slip : StateEquation::drags);
+    result.add(sticks ? StateEquation::second_slip : StateEquation::drags_second);
+    return result;
+  }
   const int direction = slip_direction(state);
   result.add(direction > 0   ? StateEquation::resists_forward
              : direction < 0 ? StateEquation::resists_backward
@@ -160,7 +180,7 @@ constexpr StateList<StateCondition> conditions(const ElementKind& kind, ElementS
   } else if (!(kind.law == ElementKind::Law::frictionless && kind.bilateral)) {
     result.add(is_pulled(state) ? StateCondition::pulls : StateCondition::pushes);
   }
-  if (state == ElementState::touch) return result;
+  if (state == ElementState::touch || kind.law == ElementKind::Law::cone) return result;
   const int direction = slip_direction(state);
   if (direction == 0) {
     result.add(StateCondition::holds_forward);

@@ -1,4 +1,4 @@
-// A planar mechanism in numbers: what the kernel solves. Mechanisms from files and contact problems (W, q, mu) both
+// A mechanism in numbers: what the kernel solves. Mechanisms from files and contact problems (W, q, mu) both
 // become one of these.
 #pragma once
 
@@ -19,6 +19,10 @@ struct ElementForms {
   Form gap, normal;    ///< N pushes the bodies apart
   Form slip, tangent;  ///< S acts along positive slip
   Form static_limit, kinetic_limit;
+  /// In space `slip` and `tangent` are along the first direction, these along the second; and, of a contact that slides
+  /// in the direction d, mu_k N d.
+  Form second_slip, second_tangent;
+  Form drag, second_drag;
 };
 using ProblemElement = ElementForms<AffineForm>;
 
@@ -37,6 +41,15 @@ struct FrictionProblem {
 };
 
 std::vector<ElementKind> kinds_of(const FrictionProblem& problem);
+
+/// Calls visit(form) for each form of an element; those that it does not have are empty.
+template <class Element, class Visit>
+void visit_forms(Element& e, const Visit& visit) {
+  for (auto* form : {&e.gap, &e.normal, &e.slip, &e.tangent, &e.static_limit, &e.kinetic_limit, &e.second_slip,
+                     &e.second_tangent, &e.drag, &e.second_drag}) {
+    visit(*form);
+  }
+}
 
 /// Sums of forms of the same length.
 AffineForm operator+(AffineForm x, const AffineForm& y);
@@ -58,6 +71,14 @@ Form form_of(const ElementForms<Form>& e, ElementState state, StateEquation equa
       return e.tangent;
     case StateEquation::resists_forward:
       return pulled ? e.tangent - e.kinetic_limit : e.tangent + e.kinetic_limit;
+    case StateEquation::second_slip:
+      return e.second_slip;
+    case StateEquation::no_second:
+      return e.second_tangent;
+    case StateEquation::drags:
+      return e.tangent + e.drag;
+    case StateEquation::drags_second:
+      return e.second_tangent + e.second_drag;
     case StateEquation::resists_backward:
       break;
   }

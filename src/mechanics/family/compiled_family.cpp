@@ -100,7 +100,7 @@ void CompiledFamily::compile_scene(const Family& family) {
   maker_ = std::make_shared<const ProblemMaker>(mechanism);
   starts_ = family.starts;
   kinds_ = family.kinds();
-  for (const ElementKind& kind : kinds_) complete_ = complete_ && kind.lifts;
+  for (const ElementKind& kind : kinds_) complete_ = complete_ && kind.all_modelled();
   for (const MechanismParameter& parameter : mechanism.parameters) scene_.parameters.push_back(value(parameter.symbol));
   for (const MechanismAngle& angle : mechanism.angles)
     scene_.angles.emplace_back(*value(angle.cosine), *value(angle.sine));

@@ -92,7 +92,9 @@ std::vector<ElementKind> Family::kinds() const {
 }
 
 std::vector<ElementKind> Family::all_kinds() const {
-  return element_kinds(*mechanism, starts, std::vector<bool>(mechanism->parameters.size(), true));
+  auto kinds = element_kinds(*mechanism, starts, std::vector<bool>(mechanism->parameters.size(), true));
+  for (ElementKind& kind : kinds) kind.slips = true;
+  return kinds;
 }
 
 std::vector<std::string> Family::quantities() const {

@@ -226,10 +226,7 @@ FrictionProblem without_equations(const FrictionProblem& problem) {
   };
   for (AffineForm& form : result.accelerations) compress(form);
   for (AffineForm& form : result.forces) compress(form);
-  for (ProblemElement& e : result.elements) {
-    for (AffineForm* form : {&e.gap, &e.normal, &e.slip, &e.tangent, &e.static_limit, &e.kinetic_limit})
-      compress(*form);
-  }
+  for (ProblemElement& e : result.elements) visit_forms(e, compress);
   return result;
 }
 

@@ -22,6 +22,7 @@ struct ModeForms {
   std::size_t free = 0;
   std::vector<AffineForm> accelerations, forces;  ///< in the order of FrictionProblem
   std::vector<AffineForm> conditions;             ///< forms that must be >= 0
+  bool with_cones = false;  ///< friction in a cone is a condition, too, on forces that are not determined
 };
 
 /// All modes at one point of a mechanism. References that it returns are valid while it lives. May be used by several
@@ -43,7 +44,9 @@ class MotionsOverLoads {
   virtual bool all_tried() const = 0;
 };
 
-/// Uses the kernel. Without `only`, solves all modes, at most max_modes. With `only`, solves these modes and no others;
+/// Uses the kernel. A mode of a mechanism in space (which has no load) in which forces are not determined counts as not
+/// modelled where polygons of 128 sides in and around the circles of friction do not decide whether it has a motion.
+/// Without `only`, solves all modes, at most max_modes. With `only`, solves these modes and no others;
 /// then cells() must not be called.
 std::unique_ptr<const MotionsOverLoads> motions_over_loads(FrictionProblem problem,
                                                            const std::optional<std::vector<MechanismMode>>& only = {});

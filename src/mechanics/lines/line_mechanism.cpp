@@ -109,6 +109,9 @@ const LineMechanism::StateRows& LineMechanism::rows_of(std::size_t index, Elemen
   for (const StateCondition c : slipproof::conditions(element.kind, state)) {
     rows.conditions.push_back(reduced(form_of(element, state, c)).row);
   }
+  if (!holds_in_cone(element.kind, state)) return rows;
+  for (const auto* form : {&element.tangent, &element.second_tangent, &element.static_limit})
+    rows.cone.push_back(reduced(*form));
   return rows;
 }
 
@@ -125,6 +128,25 @@ bool LineMechanism::add_conditions(Conditions conditions, const std::vector<std:
   return true;
 }
 
+bool LineMechanism::add_cone(std::vector<ScaledRow> cone, const SolvedRows& solved) {
+  const std::size_t unknowns = in_every_mode().free().size();
+  std::vector<IntegerPolynomial> squares;  // of the three, over the square of their common denominator
+  IntegerPolynomial common(1);
+  for (ScaledRow& one : cone) {
+    one.factor = one.factor * solved.reduce(one.row);
+    for (std::size_t i = 0; i < unknowns; ++i) {
+      if (!one.row[i].is_zero()) return false;
+    }
+    common = least_common_multiple(common, one.factor);
+  }
+  for (const ScaledRow& one : cone) {
+    const IntegerPolynomial value = scaled(one.row.back(), common, one.factor);
+    squares.push_back(value * value);
+  }
+  found_.add(squares[0] + squares[1] - squares[2]);
+  return true;
+}
+
 bool LineMechanism::add_mode(const MechanismMode& mode, const std::vector<std::size_t>& wanted) {
   if (!in_every_mode().solvable()) return false;
   std::vector<PolynomialRow> equations, conditions;
@@ -137,7 +159,11 @@ bool LineMechanism::add_mode(const MechanismMode& mode, const std::vector<std::s
   const SolvedRows solved(std::move(equations), unknowns, found_);
   if (!solved.solvable()) return false;
   for (PolynomialRow& condition : conditions) solved.reduce(condition);
-  const bool complete = add_conditions(Conditions(std::move(conditions), found_), solved.free());
+  bool complete = add_conditions(Conditions(std::move(conditions), found_), solved.free());
+  for (std::size_t i = 0; i < mode.size(); ++i) {
+    const std::vector<ScaledRow>& cone = rows_of(i, mode[i]).cone;
+    if (!cone.empty()) complete = add_cone(cone, solved) && complete;
+  }
   for (const std::size_t slot : wanted) {
     const std::size_t quantity = slot - family_.quantity_slot(0), first = system_->accelerations.size();
     auto [value, factor] =

@@ -5,7 +5,8 @@
 // states. Where a pivot or a factor that is divided out vanishes, the elimination differs; these t are critical.
 // Between them, the eliminated rows determine the mode's conditions and their zeros. Forces that stay undetermined are
 // eliminated from the conditions, pair by pair, by the method of Fourier and Motzkin; an interval of loads with a
-// solution ends where one of the remaining forms vanishes.
+// solution ends where one of the remaining forms vanishes. In space (where the load is a parameter) friction that is
+// determined leaves its cone where T1^2 + T2^2 - (mu N)^2 vanishes.
 #pragma once
 
 #include <map>
@@ -53,11 +54,14 @@ class LineMechanism {
   /// open.
   struct StateRows {
     std::vector<PolynomialRow> equations, conditions;
+    std::vector<ScaledRow> cone;  ///< T1, T2 and the limit of a contact in space that sticks
   };
   /// The solved equations that all modes share.
   const SolvedRows& in_every_mode();
   ScaledRow reduced(const FormRow<LineFunction>& form);
   const StateRows& rows_of(std::size_t element, ElementState state);
+  /// False if its forces are not determined.
+  bool add_cone(std::vector<ScaledRow> cone, const SolvedRows& solved);
   /// False if there are too many combinations.
   bool add_conditions(Conditions conditions, const std::vector<std::size_t>& free);
 

@@ -47,12 +47,20 @@ class Assembly {
       problem_.accelerations.push_back(slip);
       if (!contact.frictionless()) element.slip = slip;
     }
-    if (contact.second) problem_.accelerations.push_back(forms_.form(compiled.second, contact.second->name));
+    if (contact.second) {
+      const auto slip = forms_.form(compiled.second, contact.second->name);
+      problem_.accelerations.push_back(slip);
+      element.second_slip = slip;
+    }
     if (contact.frictionless()) return;
     const std::string what = "the friction of " + contact.name;
     element.tangent = forms_.unit(*contact.tangent);
     element.static_limit = forms_.limit(*compiled.static_friction, contact.normal, what);
     element.kinetic_limit = forms_.limit(*compiled.kinetic_friction, contact.normal, what);
+    if (contact.second) element.second_tangent = forms_.unit(contact.second->force);
+    if (compiled.drag.size() != 2) return;
+    element.drag = forms_.limit(compiled.drag[0], contact.normal, what);
+    element.second_drag = forms_.limit(compiled.drag[1], contact.normal, what);
   }
 
   void add_friction(std::size_t index, const ElementKind& kind) {

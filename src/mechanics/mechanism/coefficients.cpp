@@ -20,6 +20,7 @@ std::vector<Expression> coefficients(const Mechanism& mechanism) {
     if (contact.second) add_form(contact.second->form);
     add(contact.static_friction.expression);
     add(contact.kinetic_friction.expression);
+    for (const PlacedExpression& along : contact.sliding) add(along.expression);
   }
   for (const MechanismFriction& friction : mechanism.friction) {
     for (const SymbolicForm* form : {&friction.slip_form, &friction.static_form, &friction.kinetic_form})

@@ -17,12 +17,14 @@ CompiledMechanism::CompiledMechanism(const Mechanism& mechanism)
   for (const MechanismEquation& equation : mechanism.equations) equations.push_back(compile(equation.form));
   for (const MechanismLink& link : mechanism.links) equations.push_back(compile(link.form));
   for (const MechanismContact& contact : mechanism.contacts) {
-    CompiledContact compiled{compile(contact.gap_form), compile(contact.slip_form), {}, {}, {}, {}};
+    CompiledContact compiled{compile(contact.gap_form), compile(contact.slip_form), {}, {}, {}, {}, {}};
     if (contact.second) compiled.second = compile(contact.second->form);
     for (const PlacedExpression& along : contact.sliding) compiled.sliding.push_back(compile(along.expression));
     if (!contact.frictionless()) {
       compiled.static_friction = compile(contact.static_friction.expression);
       compiled.kinetic_friction = compile(contact.kinetic_friction.expression);
+      for (const PlacedExpression& along : contact.sliding)
+        compiled.drag.push_back(compile(drag_factor(contact, along)));
     }
     contacts.push_back(std::move(compiled));
   }

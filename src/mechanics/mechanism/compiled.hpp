@@ -46,6 +46,7 @@ struct CompiledContact {
   CompiledForm gap, slip, second;                            ///< accelerations; the second slip in space
   std::optional<Program> static_friction, kinetic_friction;  ///< nothing: frictionless
   std::vector<Program> sliding;                              ///< MechanismContact::sliding
+  std::vector<Program> drag;                                 ///< in space: kinetic_friction times each of `sliding`
 };
 
 struct CompiledFriction {

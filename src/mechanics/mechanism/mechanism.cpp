@@ -78,7 +78,10 @@ std::vector<ElementKind> element_kinds(const Mechanism& mechanism, const std::ve
   std::vector<ElementKind> kinds;
   for (const MechanismContact& contact : mechanism.contacts) {
     ElementKind kind;
-    kind.law = contact.frictionless() ? ElementKind::Law::frictionless : ElementKind::Law::coulomb;
+    kind.law = contact.frictionless() ? ElementKind::Law::frictionless
+               : contact.second       ? ElementKind::Law::cone
+                                      : ElementKind::Law::coulomb;
+    kind.slips = !contact.second;
     kind.start = starts[kinds.size()];
     kind.bilateral = contact.bilateral;
     kind.lifts = missing_for_lift(contact, given).empty();
@@ -102,6 +105,10 @@ std::vector<ElementKind> element_kinds(const Mechanism& mechanism, const std::ve
 
 std::vector<ElementKind> element_kinds(const Mechanism& mechanism) {
   return element_kinds(mechanism, starts(mechanism), std::vector<bool>(mechanism.parameters.size(), true));
+}
+
+Expression drag_factor(const MechanismContact& contact, const PlacedExpression& along) {
+  return product_of(contact.kinetic_friction.expression, along.expression);
 }
 
 bool is_literal_zero(const Expression& expression) {

@@ -216,6 +216,9 @@ std::vector<ElementKind> element_kinds(const Mechanism& mechanism);
 std::vector<ElementKind> element_kinds(const Mechanism& mechanism, const std::vector<ElementKind::Start>& starts,
                                        const std::vector<bool>& given);
 
+/// In space, of a contact that slides: what times N resists along a direction, of which `along` is in `sliding`.
+Expression drag_factor(const MechanismContact& contact, const PlacedExpression& along);
+
 /// Whether an expression is the literal 0.
 bool is_literal_zero(const Expression& expression);
 

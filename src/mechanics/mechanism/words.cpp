@@ -69,7 +69,7 @@ std::optional<ModePattern> parse_mode(const Mechanism& mechanism, const std::vec
   }
   ModePattern pattern;
   std::vector<ElementKind> lifting = kinds;
-  for (ElementKind& kind : lifting) kind.lifts = true;
+  for (ElementKind& kind : lifting) kind.lifts = kind.slips = true;
   std::size_t start = 0;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     const std::size_t end = std::min(whole.find('/', start), whole.size());

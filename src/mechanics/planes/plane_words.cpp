@@ -10,7 +10,7 @@ namespace {
 std::string state_in_words(ElementState state) {
   static constexpr std::array<std::string_view, element_state_count> words{
       "sticks",         "slips (+)",         "slips (-)",         "is open", "touches",
-      "sticks, pulled", "slips (+), pulled", "slips (-), pulled", "is free"};
+      "sticks, pulled", "slips (+), pulled", "slips (-), pulled", "is free", "slips"};
   return std::string(words[static_cast<std::size_t>(state)]);
 }
 
