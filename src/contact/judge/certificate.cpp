@@ -44,6 +44,7 @@ class CertificateWriter {
     switch (judgement.verdict) {
       case ContactVerdict::velocities_of_a_solution:
         write_eps(judgement);
+        with_velocities_ = true;
         return write_solutions(judgement);
       case ContactVerdict::inaccurate:
       case ContactVerdict::not_converged:
@@ -221,6 +222,7 @@ class CertificateWriter {
     if ((without_inverse || problem_.size() >= large) && write_ball(box, answer)) return true;
     if (without_inverse) return false;
     line("enclosure {:a}", distance_from(box, answer));
+    if (with_velocities_) line("velocities {:a}", velocity_distance(problem_, box, answer));
     std::vector<double> radius = box.radius;
     for (const std::size_t j : box.pinned) radius[j] = 1;  // any positive number: it is not used
     write_modes(box);
@@ -256,6 +258,11 @@ class CertificateWriter {
       rho = std::max(rho, Rational(abs(center - to_rational(answer[i])) + radius));
     }
     line("ball {:a}", enclose(rho).upper);
+    if (with_velocities_) {
+      Enclosure ball = box;
+      ball.proof = std::make_shared<const LongProof>(LongProof{proof->center, proof->radius, {}});
+      line("velocities {:a}", velocity_distance(problem_, ball, answer));
+    }
     write_modes(box);
     text_ += "center";
     for (const Rational& z : proof->center) add(" {}", hexadecimal(z));
@@ -312,6 +319,7 @@ class CertificateWriter {
 
   static constexpr std::size_t large = 400;  ///< rows from which a certificate has to be short
   const MixedProblem& problem_;
+  bool with_velocities_ = false;
   std::string text_;
 };
 
