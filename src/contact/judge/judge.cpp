@@ -229,7 +229,7 @@ class ContactCase {
 
   /// The effort for what is looked for beyond a verdict, in proportion to the problem.
   Work beyond_verdict() const {
-    return std::min(options_.effort, Work(1'000'000) + 2'000 * (problem_.A.entries() + problem_.size()));
+    return std::min(options_.effort, Work(4'000'000) + 4'000 * (problem_.A.entries() + problem_.size()));
   }
 
   /// Where equations depend on each other up to rounding.

@@ -76,7 +76,7 @@ class Stack {
 };
 
 std::vector<double> solved(const MixedProblem& problem) {
-  return approximate_solution(problem, {.sweeps = 6000});
+  return approximate_solution(problem, {.sweeps = 50000});
 }
 
 bool is_accepted(const MixedProblem& problem, const ContactJudgement& judgement) {
