@@ -112,7 +112,8 @@ TEST_CASE("right answers to stacks in space are certified, with forces inside of
     std::vector<double> off = answer;
     for (std::size_t i = stack.problem().free; i < off.size(); ++i) off[i] += i % 2 == 0 ? 0.01 : -0.01;
     const ContactJudgement near = judge_contacts(stack.problem(), off, {}, {});
-    CHECK(name(near.verdict) == "not converged");
+    CHECK(!is_certified(near.verdict));
+    if (push < 2) CHECK(name(near.verdict) == "not converged");  // with more, no forces are well inside
     CHECK(is_accepted(stack.problem(), near));
   }
 }
