@@ -165,7 +165,8 @@ std::optional<BallProof> prove_in_ball(const Enclosure& box) {
   proof.least = singular->value;
   proof.defect = defect / scale;
   proof.bend = norm_above(bends);
-  proof.factor = std::move(singular->factor);
+  proof.grid = singular->grid;
+  proof.order = std::move(singular->order);
   if (!(proof.defect + proof.bend < proof.least)) return std::nullopt;
   return proof;
 }

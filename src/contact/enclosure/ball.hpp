@@ -38,7 +38,8 @@ struct BallProof {
   std::vector<Rational> center;      ///< by unknown
   std::vector<double> radius, rows;  ///< powers of 2; the radius of a pinned unknown is 1
   double least = 0, defect = 0, bend = 0;
-  std::vector<SingularValueProof::Entry> factor;
+  int grid = 0;
+  std::vector<std::size_t> order;  ///< of the unknowns that are not pinned
 };
 
 /// Proves an enclosure whose blocks are large and sparse. Nothing if the norm of all blocks together is too coarse.

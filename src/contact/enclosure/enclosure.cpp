@@ -56,12 +56,8 @@ class EnclosureSearch {
     return NoEnclosure{"Newton's method finds no mode that fits its own point", {}};
   }
 
-  /// In the mode in which these contacts touch.
-  std::optional<Enclosure> run_touching(std::span<const double> answer, std::span<const std::size_t> contacts) {
-    std::vector<double> x(answer.begin(), answer.end());
-    ConeMode mode = guess_mode(problem_, x, scales_);
-    for (const std::size_t k : contacts) mode[k] = ConeState::touch;
-    enter(std::move(mode), std::move(x));
+  std::optional<Enclosure> run_in(ConeMode mode, std::span<const double> answer) {
+    enter(std::move(mode), std::vector<double>(answer.begin(), answer.end()));
     if (prepare() || !improve() || !all_finite(z_)) return std::nullopt;
     auto result = test();
     auto* box = std::get_if<Enclosure>(&result);
@@ -245,6 +241,11 @@ std::variant<Enclosure, NoEnclosure> enclose_solution(const MixedProblem& proble
   return EnclosureSearch(problem, options).run(x);
 }
 
+std::optional<Enclosure> enclose_in_mode(const MixedProblem& problem, std::span<const double> x, ConeMode mode,
+                                         const EnclosureOptions& options) {
+  return EnclosureSearch(problem, options).run_in(std::move(mode), x);
+}
+
 std::optional<Enclosure> enclose_touching(const MixedProblem& problem, std::span<const double> x,
                                           std::span<const std::size_t> contacts, const EnclosureOptions& options) {
   double largest = 0;
@@ -252,7 +253,9 @@ std::optional<Enclosure> enclose_touching(const MixedProblem& problem, std::span
   const auto pressed = [&](std::size_t k) { return std::abs(x[problem.normal(k)]) > 1e-6 * largest; };
   const bool leans = problem.law.kind == FrictionLaw::associated && problem.dimension > 1;
   if (contacts.empty() || leans || std::ranges::any_of(contacts, pressed)) return std::nullopt;
-  return EnclosureSearch(problem, options).run_touching(x, contacts);
+  ConeMode mode = guess_mode(problem, x, contact_scales(problem));
+  for (const std::size_t k : contacts) mode[k] = ConeState::touch;
+  return enclose_in_mode(problem, x, std::move(mode), options);
 }
 
 std::size_t Enclosure::undetermined() const {

@@ -64,6 +64,10 @@ struct EnclosureOptions {
 std::variant<Enclosure, NoEnclosure> enclose_solution(const MixedProblem& problem, std::span<const double> x,
                                                       const EnclosureOptions& options = {});
 
+/// The same in one mode only.
+std::optional<Enclosure> enclose_in_mode(const MixedProblem& problem, std::span<const double> x, ConeMode mode,
+                                         const EnclosureOptions& options = {});
+
 /// Encloses the solution in which these contacts, which lie between open and closed, touch without load. u_N = 0 must
 /// follow exactly from equations of other contacts. Nothing if it does not, if one of them is pressed in `x`, and for
 /// the associated law.

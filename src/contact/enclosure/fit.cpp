@@ -258,12 +258,30 @@ FittedContact fit_contact(const ContactLaw& law, const ContactAnswer& answer) {
   return ContactFitter(law, answer).fit();
 }
 
+namespace {
+
+std::pair<std::string_view, std::string_view> conditions_of_pyramid(bool box, ContactFit fit) {
+  if (fit == ContactFit::stick) {
+    return {"u = 0 where the contact sticks",
+            box ? "max |r_i| <= mu r_n over tangential i" : "|r_1| + |r_2| <= mu r_n"};
+  }
+  if (box)
+    return {"u_n = 0, each u_i opposite to r_i where the contact slides",
+            "|r_i| = mu r_n in each direction i that slides"};
+  return {"u_n = 0, r_t . u_t = -mu r_n max |u_i| where the contact slides",
+          "|r_1| + |r_2| = mu r_n where the contact slides"};
+}
+
+}  // namespace
+
 std::pair<std::string_view, std::string_view> conditions_of(FrictionLaw law, ContactFit fit, std::size_t dimension) {
   const bool associated = law == FrictionLaw::associated, fixed = law == FrictionLaw::fixed;
   if (law == FrictionLaw::regularised && dimension > 1 && fit != ContactFit::open) {
     constexpr std::string_view graph = "r_t = -mu r_n f(|u_t| / v_s) u_t / |u_t|";
     return {graph, graph};
   }
+  const bool faces = dimension == 3 && (law == FrictionLaw::box || law == FrictionLaw::diamond);
+  if (faces && fit != ContactFit::open) return conditions_of_pyramid(law == FrictionLaw::box, fit);
   switch (fit) {
     case ContactFit::open:
       return {associated && dimension > 1 ? "u_n >= mu |u_t|" : "u_n >= 0",

@@ -111,28 +111,38 @@ class FclibFile {
     }
     global ? read_global("/fclib_global") : read_local("/fclib_local");
     if (global && local) read_.problem.remarks.emplace_back("/fclib_local is not read, since /fclib_global is there");
-    if (file_.has("/solution")) read_.answers.push_back(answer("/solution", answer_sizes(read_.problem)));
+    if (file_.has("/solution")) add_answer("/solution");
     read_guesses();
     return std::move(read_);
   }
 
-  SolverAnswer answer(const std::string& path, const AnswerSizes& sizes) {
+  /// Nothing where its forces were created and never written, which the library reads as zeros.
+  std::optional<SolverAnswer> answer(const std::string& path, const AnswerSizes& sizes) {
     SolverAnswer result;
     result.origin = path;
     if (!file_.has(path)) file_.refuse(path, "found nothing, expected a solver's answer");
+    bool forces = true;
     const auto part = [&](const char* name, std::optional<std::size_t> most) {
       bool written = true;
       std::vector<double> numbers;
       if (file_.has(path + name)) numbers = file_.reals(path + name, written, most);
-      if (!written) read_.problem.remarks.push_back(path + name + " was never written, and reads as zeros");
-      return numbers;
+      if (written) return numbers;
+      read_.problem.remarks.push_back(path + name + " was never written, and is left out");
+      forces = forces && name != std::string_view("/r");
+      return std::vector<double>();
     };
     result.r = part("/r", sizes.r);
     result.u = part("/u", sizes.u);
     result.v = part("/v", sizes.v);
     result.lambda = part("/l", sizes.lambda);
+    if (!forces) return std::nullopt;
     if (result.r.empty() && result.u.empty()) file_.refuse(path, "found neither r nor u, expected a solver's answer");
     return result;
+  }
+
+  SolverAnswer answer_alone(const AnswerSizes& sizes) {
+    if (auto found = answer("/solution", sizes)) return *std::move(found);
+    file_.refuse("/solution/r", "found a data set that was never written, expected a solver's forces");
   }
 
  private:
@@ -186,8 +196,12 @@ class FclibFile {
                               ", as there are objects in /guesses");
     }
     for (std::int64_t k = 1; k <= number; ++k) {
-      read_.answers.push_back(answer("/guesses/" + std::to_string(k), answer_sizes(read_.problem)));
+      add_answer("/guesses/" + std::to_string(k));
     }
+  }
+
+  void add_answer(const std::string& path) {
+    if (auto found = answer(path, answer_sizes(read_.problem))) read_.answers.push_back(*std::move(found));
   }
 
   Hdf5File file_;
@@ -202,7 +216,7 @@ ReadProblem read_fclib(const std::string& bytes, const std::string& file) {
 }
 
 SolverAnswer read_fclib_answer(const std::string& bytes, const std::string& file, const AnswerSizes& sizes) {
-  return FclibFile(bytes, file).answer("/solution", sizes);
+  return FclibFile(bytes, file).answer_alone(sizes);
 }
 
 }  // namespace slipproof

@@ -16,6 +16,14 @@ namespace slipproof {
 
 namespace {
 
+/// As floating point of any length: its divisor is a power of 2.
+std::string hexadecimal(const Rational& x) {
+  std::size_t places = 0;  // after the point, of 4 bits each
+  Rational scaled = abs(x);
+  for (; denominator(scaled) != 1; ++places) scaled *= 16;
+  return fmt::format("{}0x{}p-{}", x < 0 ? "-" : "", numerator(scaled).str(16), 4 * places);
+}
+
 class CertificateWriter {
  public:
   explicit CertificateWriter(const MixedProblem& problem) : problem_(problem) {}
@@ -36,6 +44,7 @@ class CertificateWriter {
     switch (judgement.verdict) {
       case ContactVerdict::velocities_of_a_solution:
         write_eps(judgement);
+        with_velocities_ = true;
         return write_solutions(judgement);
       case ContactVerdict::inaccurate:
       case ContactVerdict::not_converged:
@@ -160,9 +169,26 @@ class CertificateWriter {
     line("problem {}", problem_name(problem_));
     line("dimension {} free {} contacts {}", problem_.dimension, problem_.free, problem_.contacts());
     vector("mu", problem_.mu);
-    line("matrix {}", problem_.A.entries());
-    entries(problem_.A);
+    write_matrix();
     vector("constant", problem_.c);
+  }
+
+  /// Half of a large one, where the other half is its mirror image.
+  void write_matrix() {
+    const SparseMatrix& A = problem_.A;
+    const auto turned = problem_.size() < large ? std::nullopt : turned_rows(A);
+    if (!turned) {
+      line("matrix {}", A.entries());
+      return entries(A);
+    }
+    line("mirrored {}", *turned);
+    for (std::size_t i = 0; i < A.rows; ++i) {
+      const auto columns = A.columns_of(i);
+      const auto half = static_cast<std::size_t>(std::ranges::upper_bound(columns, i) - columns.begin());
+      add("{}", half);
+      for (std::size_t e = 0; e < half; ++e) add(" {} {:a}", columns[e], A.values_of(i)[e]);
+      text_ += '\n';
+    }
   }
 
   /// Where it is not Coulomb's.
@@ -187,12 +213,16 @@ class CertificateWriter {
     vector("motion", motion);
   }
 
-  /// By inverses of its blocks, or where one of them is large and sparse as a ball. False where that is too coarse.
+  /// By inverses of its blocks, or as a ball where the problem is large. False where that is too coarse, and a block
+  /// has no inverse.
   bool write_enclosure(const Enclosure& box, std::span<const double> answer) {
-    const auto is_sparse = [](const SystemBlock& block) { return block.sparse != nullptr; };
-    if (std::any_of(box.blocks.begin(), box.blocks.end(), is_sparse)) return write_ball(box, answer);
     if (box.proof) return write_long_enclosure(box, answer);
+    const auto is_sparse = [](const SystemBlock& block) { return block.sparse != nullptr; };
+    const bool without_inverse = std::ranges::any_of(box.blocks, is_sparse);
+    if ((without_inverse || problem_.size() >= large) && write_ball(box, answer)) return true;
+    if (without_inverse) return false;
     line("enclosure {:a}", distance_from(box, answer));
+    if (with_velocities_) line("velocities {:a}", velocity_distance(problem_, box, answer));
     std::vector<double> radius = box.radius;
     for (const std::size_t j : box.pinned) radius[j] = 1;  // any positive number: it is not used
     write_modes(box);
@@ -228,18 +258,24 @@ class CertificateWriter {
       rho = std::max(rho, Rational(abs(center - to_rational(answer[i])) + radius));
     }
     line("ball {:a}", enclose(rho).upper);
+    if (with_velocities_) {
+      Enclosure ball = box;
+      ball.proof = std::make_shared<const LongProof>(LongProof{proof->center, proof->radius, {}});
+      line("velocities {:a}", velocity_distance(problem_, ball, answer));
+    }
     write_modes(box);
-    vector("center", proof->center);
+    text_ += "center";
+    for (const Rational& z : proof->center) add(" {}", hexadecimal(z));
+    text_ += '\n';
     vector("radius", proof->radius);
     write_dependent(box);
     vector("rows", proof->rows);
     line("least {:a}", proof->least);
     line("defect {:a}", proof->defect);
     line("bend {:a}", proof->bend);
-    line("factor {}", proof->factor.size());
-    for (const auto& e : proof->factor) {
-      line("{} {} {}", e.row, e.column, Rational(to_rational(e.high) + to_rational(e.low)).str());
-    }
+    add("order {}", proof->grid);
+    for (const std::size_t j : proof->order) add(" {}", j);
+    text_ += '\n';
     return true;
   }
 
@@ -281,7 +317,9 @@ class CertificateWriter {
     }
   }
 
+  static constexpr std::size_t large = 400;  ///< rows from which a certificate has to be short
   const MixedProblem& problem_;
+  bool with_velocities_ = false;
   std::string text_;
 };
 

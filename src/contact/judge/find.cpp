@@ -255,6 +255,13 @@ std::vector<double> approximate_solution(const MixedProblem& problem, const Find
   return with_free(problem, r);
 }
 
+bool comes_near(const MixedProblem& problem, std::span<const double> start, double tolerance) {
+  const std::vector<double> x = approximate_solution(problem, {.start = {start.begin(), start.end()}});
+  const bool finite = std::ranges::all_of(x, [](double value) { return std::isfinite(value); });
+  return x.size() == problem.size() && finite &&
+         residual(problem, x, exact_rows(problem, x)).backward_error() <= tolerance;
+}
+
 std::optional<Enclosure> another_solution(const MixedProblem& problem, const Enclosure& first,
                                           const FindOptions& options) {
   const std::vector<double> scales = contact_scales(problem), x = center_of(first);

@@ -22,6 +22,10 @@ struct FindOptions {
 /// rows cannot be eliminated or the problem is too large.
 std::vector<double> approximate_solution(const MixedProblem& problem, const FindOptions& options = {});
 
+/// Whether this iteration comes near a solution from a start, to a backward error of the tolerance: then multipliers
+/// that exclude all solutions are hardly found.
+bool comes_near(const MixedProblem& problem, std::span<const double> start, double tolerance);
+
 /// A solution outside the first's box, searched from modes in which one contact differs, and from zero forces. Nothing
 /// if none was found, which proves nothing.
 std::optional<Enclosure> another_solution(const MixedProblem& problem, const Enclosure& first,

@@ -30,18 +30,6 @@ double velocity_error_of(const MixedProblem& problem, std::span<const Rational> 
   return largest;
 }
 
-/// Wrong for the law that was asked about: would it be right for one that engines use instead?
-std::optional<FrictionLaw> pyramid_that_fits(const MixedProblem& problem, std::span<const double> x,
-                                             std::span<const Rational> w, const ContactJudgeOptions& options) {
-  if (problem.dimension != 3 || problem.law.kind != FrictionLaw::cone) return std::nullopt;
-  for (const FrictionLaw kind : {FrictionLaw::box, FrictionLaw::diamond}) {
-    ContactLaw law;
-    law.kind = kind;
-    if (residual(problem, x, w, law).backward_error() <= options.tolerance) return kind;
-  }
-  return std::nullopt;
-}
-
 /// Whether the modes of the law have equations (ModeSystem).
 bool have_modes(const MixedProblem& problem) {
   using enum FrictionLaw;
@@ -79,7 +67,10 @@ class ContactCase {
     if (j_.all && j_.all->none()) return true;
     if (problem_.size() > 60) return false;
     std::optional<std::vector<Rational>> found;
-    extra("why there is no solution", [&] { found = infeasibility(problem_, effort_); });
+    extra("why there is no solution", [&] {
+      Effort little(beyond_verdict());
+      found = infeasibility(problem_, comes_near(problem_, j_.x, options_.tolerance) ? little : effort_);
+    });
     if (found) j_.multipliers = std::move(*found);
     return found.has_value();
   }
@@ -175,7 +166,10 @@ class ContactCase {
     if (!found.continua.empty()) {
       for (auto& z : found.continua.front().two(effort_)) others.push_back(std::move(z));
     }
-    const auto other = std::ranges::find_if(others, [&](const auto& z) { return z != nearest; });
+    const std::vector<Rational> w = accelerations(small.problem, nearest);  // solutions with one motion are one
+    const auto other =
+        std::ranges::find_if(others, [&](const auto& z) { return accelerations(small.problem, z) != w; });
+    if (!found.continua.empty()) j_.undetermined = found.continua.front().directions.size();
     if (other != others.end()) j_.other_exact = small.with_free(*other);
   }
 
@@ -195,6 +189,8 @@ class ContactCase {
       if (box) return take(std::move(*box));
     }
     const bool right = j_.residual->backward_error() <= options_.tolerance;
+    if (problem_.is_coulomb()) extra("forces inside of their cones", [&] { move_inside(right); });
+    if (j_.enclosure) return;
     if (problem_.is_coulomb() && (right || options_.refine)) extra("a solution along a path", [&] { follow(); });
     if (j_.has_solution()) return;
     auto& failure = std::get<NoEnclosure>(found);
@@ -218,6 +214,22 @@ class ContactCase {
     }
     j_.rho = distance_from(j_.exact, j_.x);
     return true;
+  }
+
+  /// Where forces at the edge of their cones could be elsewhere.
+  void move_inside(bool right) {
+    Effort effort(right ? options_.effort : beyond_verdict());
+    const double near = right ? options_.tolerance : std::max(contact_near, 2 * j_.residual->backward_error());
+    auto box = enclose_inside(problem_, j_.x, near, options_.enclosure, effort);
+    if (!box) return;
+    j_.moved_inside = true;
+    j_.eta = velocity_distance(problem_, *box, j_.x);
+    take(std::move(*box));
+  }
+
+  /// The effort for what is looked for beyond a verdict, in proportion to the problem.
+  Work beyond_verdict() const {
+    return std::min(options_.effort, Work(4'000'000) + 4'000 * (problem_.A.entries() + problem_.size()));
   }
 
   /// Where equations depend on each other up to rounding.
@@ -255,24 +267,11 @@ bool may_be_near(const ContactJudgement& j, const ContactJudgeOptions& options) 
   return j.exclusion && j.exclusion->radius <= 2 * contact_near * largest;
 }
 
-/// The contacts whose forces are open: an enclosed solution along a path has the answer's velocities, and such a change
-/// of forces would usually move contacts far more. Empty where that is not so.
-std::vector<std::size_t> open_contacts(const MixedProblem& problem, const ContactJudgement& j,
-                                       const ContactJudgeOptions& options) {
-  if (!j.enclosure || !j.enclosure->proof || j.eta > options.tolerance * j.residual->scale) return {};
-  const std::vector<double> scales = contact_scales(problem), distances = force_distances(problem, *j.enclosure, j.x);
-  double usual = 0;
-  for (std::size_t k = 0; k < scales.size(); ++k) usual = std::max(usual, scales[k] * distances[k]);
-  if (usual == 0 || j.eta > options.tolerance * usual) return {};
-  const double farthest = *std::max_element(distances.begin(), distances.end());
-  std::vector<std::size_t> open;
-  for (std::size_t k = 0; k < distances.size(); ++k) {
-    if (distances[k] > options.tolerance * farthest) open.push_back(k);
-  }
-  return open;
-}
-
 }  // namespace
+
+bool is_judged_by_residual(const MixedProblem& problem) {
+  return !have_modes(problem) && !is_convex(problem);
+}
 
 ContactJudgement judge_contacts(const MixedProblem& problem, std::vector<double> x, std::span<const double> u,
                                 const ContactJudgeOptions& options, std::shared_ptr<const SolutionTree> tree) {
@@ -293,7 +292,7 @@ ContactJudgement judge_contacts(const MixedProblem& problem, std::vector<double>
   const double velocity_error = judgement.velocity_error / judgement.residual->scale;
   const bool right = std::max(backward, velocity_error) <= options.tolerance;
   ContactCase found(problem, u, options, judgement);
-  const bool strong = have_modes(problem) || is_convex(problem);
+  const bool strong = !is_judged_by_residual(problem);
   const bool other_convex = !problem.is_coulomb() && is_convex(problem);  // then every answer has a certified distance
   if (strong && (right || options.refine || other_convex || may_be_near(judgement, options))) found.look_near();
   if (options.all) found.find_all(std::move(tree));
@@ -308,10 +307,13 @@ ContactJudgement judge_contacts(const MixedProblem& problem, std::vector<double>
     judgement.verdict = found.certainly_several() ? ContactVerdict::ambiguous
                         : found.certainly_one()   ? ContactVerdict::unique
                                                   : ContactVerdict::solution_within_rho;
-  } else if (auto open = known && right ? open_contacts(problem, judgement, options) : std::vector<std::size_t>();
+  } else if (auto open =
+                 known && right ? open_contacts(problem, judgement, options.tolerance) : std::vector<std::size_t>();
              !open.empty()) {
     judgement.verdict = ContactVerdict::velocities_of_a_solution;
-    judgement.reason = "forces that hardly move any contact are determined by rounding alone";
+    judgement.reason = judgement.enclosure->proof
+                           ? "forces that hardly move any contact are determined by rounding alone"
+                           : "forces that move no contact are open";
     judgement.contacts = std::move(open);
   } else if (near) {
     judgement.verdict = right ? ContactVerdict::inaccurate : ContactVerdict::not_converged;
@@ -332,7 +334,7 @@ ContactJudgement judge_contacts(const MixedProblem& problem, std::vector<double>
     judgement.contacts.clear();
     if (backward > options.tolerance) {
       found.extra("a pyramid that it fits",
-                  [&] { judgement.right_for = pyramid_that_fits(problem, judgement.x, w, options); });
+                  [&] { judgement.right_for = pyramid_that_fits(problem, judgement.x, w, options.tolerance); });
     } else if (velocity_error > options.tolerance) {
       judgement.reason = "the velocities are not those of the forces";
     } else {

@@ -42,6 +42,7 @@ struct LinearSearch {
 
 struct ContactJudgement {
   ContactVerdict verdict = ContactVerdict::invalid;
+  bool moved_inside = false;             ///< the enclosure is of the answer with its forces moved inside of their cones
   std::string reason;                    ///< why nothing stronger is proved; for an invalid answer, its mistake
   std::vector<std::size_t> contacts;     ///< contacts that the reason concerns, from 0
   FrictionLaw law = FrictionLaw::cone;   ///< of the problem
@@ -52,7 +53,7 @@ struct ContactJudgement {
   std::optional<FrictionLaw> right_for;  ///< wrong for the cone, and within the tolerance for this pyramid
   std::optional<Enclosure> enclosure;
   double rho = 0;                  ///< largest distance of the enclosure from the answer
-  double eta = 0;                  ///< the same of velocities, if it was found along a path
+  double eta = 0;                  ///< the same of velocities, if it was found along a path or inside of the cones
   std::size_t undetermined = 0;    ///< forces that nothing determines: they are held at the answer's values
   std::optional<OpenForces> open;  ///< of an answer that is right: what its velocities leave open
   double error = 0;  ///< if a solution is known: upper bound on the error, relative to the size of each kind
@@ -76,6 +77,10 @@ struct ContactJudgement {
   /// Within which no solution is; 0 where nothing is known of it.
   double excluded() const { return std::max(exclusion ? exclusion->radius : 0, every ? every->apart : 0); }
 };
+
+/// Whether no verdict on an answer is stronger than `eps-solution`, whatever the answer: of a diamond in space, and of
+/// regularised friction, only the residual is judged.
+bool is_judged_by_residual(const MixedProblem& problem);
 
 /// The strongest that is proved. `u` is what the answer says of the contacts' velocities; empty if it does not. `tree`
 /// is that of an earlier answer to the same problem: all solutions are not searched for again.

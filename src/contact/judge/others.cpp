@@ -1,7 +1,11 @@
 #include "contact/judge/others.hpp"
 
+#include <algorithm>
+
 #include "base/number/binary64.hpp"
+#include "contact/enclosure/residual.hpp"
 #include "contact/exact/linear_modes.hpp"
+#include "contact/path/solve.hpp"
 
 namespace slipproof {
 
@@ -58,6 +62,42 @@ void look_in_linear_modes(const MixedProblem& problem, Work allowed, ContactJudg
                        });
   search = {linear_modes(problem, slides), true};
   judgement.other_exact = std::move(other);
+}
+
+std::optional<Enclosure> enclose_inside(const MixedProblem& problem, std::span<const double> x, double near,
+                                        const EnclosureOptions& options, Effort& effort) {
+  constexpr double well = 1e-3;  // of the largest force
+  for (const double margin : {near / 8, well}) {
+    auto inside = forces_inside(problem, x, near, margin, effort);
+    if (!inside) continue;
+    if (auto box = enclose_in_mode(problem, inside->x, std::move(inside->mode), options)) return box;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::size_t> open_contacts(const MixedProblem& problem, const ContactJudgement& j, double tolerance) {
+  if (!j.enclosure || (!j.enclosure->proof && !j.moved_inside) || j.eta > tolerance * j.residual->scale) return {};
+  const std::vector<double> scales = contact_scales(problem), distances = force_distances(problem, *j.enclosure, j.x);
+  double usual = 0;
+  for (std::size_t k = 0; k < scales.size(); ++k) usual = std::max(usual, scales[k] * distances[k]);
+  if (usual == 0 || j.eta > tolerance * usual) return {};
+  const double farthest = *std::max_element(distances.begin(), distances.end());
+  std::vector<std::size_t> open;
+  for (std::size_t k = 0; k < distances.size(); ++k) {
+    if (distances[k] > tolerance * farthest) open.push_back(k);
+  }
+  return open;
+}
+
+std::optional<FrictionLaw> pyramid_that_fits(const MixedProblem& problem, std::span<const double> x,
+                                             std::span<const Rational> w, double tolerance) {
+  if (problem.dimension != 3 || problem.law.kind != FrictionLaw::cone) return std::nullopt;
+  for (const FrictionLaw kind : {FrictionLaw::box, FrictionLaw::diamond}) {
+    ContactLaw law;
+    law.kind = kind;
+    if (residual(problem, x, w, law).backward_error() <= tolerance) return kind;
+  }
+  return std::nullopt;
 }
 
 }  // namespace slipproof

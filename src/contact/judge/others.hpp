@@ -1,4 +1,4 @@
-// Solutions elsewhere than the one that is near an answer.
+// Solutions that are not near an answer, or not in all of its forces; and other laws.
 #pragma once
 
 #include "contact/judge/judge.hpp"
@@ -10,5 +10,21 @@ namespace slipproof {
 /// `linear_modes`, whether they were tried: they are not if that is more work than `allowed`. Requires Coulomb's law
 /// and a known solution.
 void look_in_linear_modes(const MixedProblem& problem, Work allowed, ContactJudgement& judgement);
+
+/// Encloses a solution that has an answer's velocities, up to `near` of their size, and its forces moved inside of
+/// their cones (forces_inside()), by little if that suffices. Nothing if none was found. Requires Coulomb's law. Throws
+/// TooMuchWork.
+std::optional<Enclosure> enclose_inside(const MixedProblem& problem, std::span<const double> x, double near,
+                                        const EnclosureOptions& options, Effort& effort);
+
+/// The contacts whose forces are open: the enclosed solution, found along a path or inside of the cones, has the
+/// answer's velocities, and such a change of forces would usually move contacts far more. Empty where that is not so.
+std::vector<std::size_t> open_contacts(const MixedProblem& problem, const ContactJudgement& judgement,
+                                       double tolerance);
+
+/// For an answer that is wrong for the cone: the pyramid for which it would be right, which engines use instead. `w` is
+/// A x + c.
+std::optional<FrictionLaw> pyramid_that_fits(const MixedProblem& problem, std::span<const double> x,
+                                             std::span<const Rational> w, double tolerance);
 
 }  // namespace slipproof

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 #include "base/number/binary64.hpp"
@@ -40,6 +41,27 @@ std::string canonical_form(const MixedProblem& problem) {
 
 std::string problem_name(const MixedProblem& problem) {
   return sha256(canonical_form(problem));
+}
+
+std::optional<std::size_t> turned_rows(const SparseMatrix& A) {
+  const SparseMatrix B = transposed(A);
+  if (A.starts != B.starts || A.column != B.column) return std::nullopt;
+  std::size_t turned = 0;
+  const auto all = [&](const auto& holds) {
+    for (std::size_t i = 0; i < A.rows; ++i) {
+      for (std::size_t e = A.starts[i]; e < A.starts[i + 1]; ++e) {
+        if (!holds(i, A.column[e], A.value[e], B.value[e])) return false;
+      }
+    }
+    return true;
+  };
+  all([&](std::size_t i, std::size_t j, double a, double b) {
+    if (a != b) turned = std::max(turned, std::min(i, j) + 1);
+    return true;
+  });
+  const bool mirrored = all(
+      [&](std::size_t i, std::size_t j, double a, double b) { return a == ((i < turned) == (j < turned) ? b : -b); });
+  return mirrored ? std::optional(turned) : std::nullopt;
 }
 
 }  // namespace slipproof

@@ -1,6 +1,8 @@
-// The name of a contact problem, by which certificates refer to it (src/proofs/check_contact/FORMAT.md).
+// A contact problem in certificates: its name, by which they refer to it, and its short form
+// (src/proofs/check_contact/FORMAT.md).
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "contact/problem/mixed_problem.hpp"
@@ -12,5 +14,9 @@ std::string canonical_form(const MixedProblem& problem);
 
 /// SHA-256 of the canonical form, in hexadecimal.
 std::string problem_name(const MixedProblem& problem);
+
+/// A number of rows such that each entry above the diagonal is that below, but for its sign where just one of row and
+/// column is below this number: then half of the matrix is enough. Nothing if there is none.
+std::optional<std::size_t> turned_rows(const SparseMatrix& A);
 
 }  // namespace slipproof

@@ -159,14 +159,14 @@ std::optional<double> least_singular_value(const SparseMatrix& A, const SparseFa
 std::optional<SingularValueProof> prove_singular_value(const SparseMatrix& A, const SparseFactor& factor) {
   const auto found = singular::largest_shift(A, factor);
   if (!found) return std::nullopt;
-  SingularValueProof result{std::sqrt(found->shift / 2) * (1 - 0x1p-50), {}};
-  const singular::WideMatrix L = found->cholesky->matrixL();
+  SingularValueProof result{std::sqrt(found->shift / 4) * (1 - 0x1p-50), 0, {}};
+  std::vector<double> norms(A.columns, 0);
+  for (std::size_t e = 0; e < A.entries(); ++e) norms[A.column[e]] += A.value[e] * A.value[e];
+  const double norm = std::sqrt(*std::max_element(norms.begin(), norms.end()));
+  result.grid = std::max(0, 4 + std::ilogb(static_cast<double>(A.rows) * norm / (result.value * result.value)));
   const auto& back = found->cholesky->permutationPinv().indices();
-  const auto in_order = [&](Eigen::Index i) { return static_cast<std::size_t>(back.size() > 0 ? back[i] : i); };
-  for (Eigen::Index j = 0; j < L.cols(); ++j) {
-    for (singular::WideMatrix::InnerIterator it(L, j); it; ++it) {
-      result.factor.push_back({in_order(it.row()), static_cast<std::size_t>(j), it.value().high, it.value().low});
-    }
+  for (Eigen::Index i = 0; i < found->cholesky->cols(); ++i) {
+    result.order.push_back(static_cast<std::size_t>(back.size() > 0 ? back[i] : i));
   }
   return result;
 }

@@ -56,9 +56,10 @@ double velocity_distance(const MixedProblem& problem, const Enclosure& box, std:
   for (std::size_t i = 0; i < x.size(); ++i) {
     const std::size_t j = box.system.unknown(i);
     const bool open = j == ModeSystem::none;
-    moved.push_back((open ? Rational(0) : box.proof->center[j]) - to_rational(x[i]));
+    const Rational center = open ? Rational(0) : box.proof ? box.proof->center[j] : to_rational(box.center[j]);
+    moved.push_back(center - to_rational(x[i]));
     const bool fixed = open || std::find(box.pinned.begin(), box.pinned.end(), j) != box.pinned.end();
-    radius.push_back(fixed ? Rational(0) : to_rational(box.proof->radius[j]));
+    radius.push_back(fixed ? Rational(0) : to_rational(box.proof ? box.proof->radius[j] : box.radius[j]));
   }
   Rational largest = 0;
   for (std::size_t i = problem.free; i < problem.size(); ++i) {

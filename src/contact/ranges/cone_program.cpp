@@ -26,18 +26,32 @@ void project_on_cone(Eigen::Ref<Eigen::VectorXd> x, double mu) {
 ConeProgram::ConeProgram(Eigen::MatrixXd N, Eigen::VectorXd start, std::vector<Cone> cones)
     : N_(std::move(N)), start_(std::move(start)), cones_(std::move(cones)) {}
 
-void ConeProgram::project(Eigen::VectorXd& x) const {
+void ConeProgram::project(Eigen::VectorXd& x, double margin) const {
   for (const Cone& cone : cones_) {
+    x[cone.first] -= margin;
     if (cone.size == 1) {
       x[cone.first] = std::max(x[cone.first], 0.0);
     } else {
       project_on_cone(x.segment(cone.first, cone.size), cone.mu);
     }
+    x[cone.first] += margin;
   }
 }
 
+std::optional<Eigen::VectorXd> ConeProgram::inside(double margin, Effort& effort) const {
+  Eigen::VectorXd x = start_, s = start_, lambda = Eigen::VectorXd::Zero(start_.size());
+  for (int i = 0; i < most_steps; ++i) {
+    effort.spend(step());
+    s = x + lambda;
+    project(s, margin);
+    if ((x - s).lpNorm<Eigen::Infinity>() <= margin / 4) return x;
+    lambda += x - s;
+    x = start_ + N_ * (N_.transpose() * (s - lambda - start_));
+  }
+  return std::nullopt;
+}
+
 std::optional<Eigen::VectorXd> ConeProgram::multipliers(const Eigen::VectorXd& g, Effort& effort) const {
-  const Work step = 4 * static_cast<Work>(N_.size()) + 30 * static_cast<Work>(start_.size());
   const Eigen::VectorXd along = N_.transpose() * g;
   const double size = 1 + start_.lpNorm<1>();
   double rho = 1, best = std::numeric_limits<double>::infinity();
@@ -45,7 +59,7 @@ std::optional<Eigen::VectorXd> ConeProgram::multipliers(const Eigen::VectorXd& g
   std::optional<Eigen::VectorXd> found;
   project(s);
   for (int i = 1; i <= most_steps; ++i) {
-    effort.spend(step);
+    effort.spend(step());
     x = start_ + N_ * (N_.transpose() * (s - lambda - start_) + along / rho);
     before = s;
     s = x + lambda;

@@ -26,8 +26,14 @@ class ConeProgram {
   /// alternating direction method of multipliers; nothing is proved. Throws TooMuchWork.
   std::optional<Eigen::VectorXd> multipliers(const Eigen::VectorXd& g, Effort& effort) const;
 
+  /// A point x of the program near its start that is inside of the cones: x_N >= margin, |x_T| <= mu (x_N - margin), to
+  /// half of the margin. Nothing if none is found, as where there is none. By the same method. Throws TooMuchWork.
+  std::optional<Eigen::VectorXd> inside(double margin, Effort& effort) const;
+
  private:
-  void project(Eigen::VectorXd& x) const;
+  /// Onto the cones with their apex at x_N = margin.
+  void project(Eigen::VectorXd& x, double margin = 0) const;
+  Work step() const { return 4 * static_cast<Work>(N_.size()) + 30 * static_cast<Work>(start_.size()); }
 
   Eigen::MatrixXd N_;
   Eigen::VectorXd start_;

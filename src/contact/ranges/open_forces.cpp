@@ -28,7 +28,23 @@ struct Scales {
   double force = 0;             ///< the largest of the answer
   std::vector<double> unknown;  ///< of free unknowns
   std::vector<double> change;   ///< that rows of A x + c may have
+
+  /// Of a part, whose free rows come first, as in the whole.
+  Scales of_rows(const std::vector<std::size_t>& rows) const {
+    Scales own{force, {}, {}};
+    for (const std::size_t i : rows) {
+      own.change.push_back(change[i]);
+      if (i < unknown.size()) own.unknown.push_back(unknown[i]);
+    }
+    return own;
+  }
 };
+
+std::vector<double> of_rows(std::span<const double> x, const std::vector<std::size_t>& rows) {
+  std::vector<double> own;
+  for (const std::size_t i : rows) own.push_back(x[i]);
+  return own;
+}
 
 /// x = unknown y in the numbers in which everything is about 1: free unknowns, rays as one number, cones.
 class Reduced {
@@ -61,6 +77,15 @@ class Reduced {
       }
     }
     return B;
+  }
+
+  /// x of y: components that are no unknown are 0.
+  std::vector<double> x_of(const DenseVector& y, std::size_t components) const {
+    std::vector<double> x(components, 0);
+    for (Index j = 0; j < size(); ++j) {
+      for (const auto& [i, factor] : columns_[static_cast<std::size_t>(j)]) x[i] += factor * y[j];
+    }
+    return x;
   }
 
   DenseVector of(std::span<const double> x) const {
@@ -133,6 +158,22 @@ class OpenPart {
     }
     const auto bound = bound_of(all);
     if (bound && bound->lack < 1) sum_ = bound->value / (1 - bound->lack);
+  }
+
+  /// The answer with its forces moved inside of what the law allows at its velocities, by this part of the largest one.
+  std::optional<std::vector<double>> inside(double margin) const {
+    if (!program_) return std::vector<double>(x_);
+    const auto y = program_->inside(margin, effort_);
+    return y ? std::optional(reduced_.x_of(*y, x_.size())) : std::nullopt;
+  }
+
+  /// What its velocities say of a contact.
+  ConeState state(std::size_t contact) const {
+    const ForceSet& set = sets_[contact];
+    if (set.kind == ForceSet::Kind::none) return ConeState::open;
+    if (set.slip.empty()) return ConeState::stick;
+    if (set.slip.size() > 1) return ConeState::slide;
+    return set.slip[0].sign() > 0 ? ConeState::slide_plus : ConeState::slide_minus;
   }
 
   /// The normal force of one contact.
@@ -226,24 +267,17 @@ double width(const NormalRange& range) {
 
 std::optional<OpenForces> open_forces(const MixedProblem& problem, std::span<const double> x, double tolerance,
                                       Effort& effort) {
-  const bool known = problem.is_coulomb() || problem.law.kind == FrictionLaw::associated;
   OpenForces result;
   result.change = tolerance * contact_sizes(problem).velocity;
   const Scales scales = scales_of(problem, x, tolerance, result.change);
+  const bool known = problem.is_coulomb() || problem.law.kind == FrictionLaw::associated;
   if (!known || !(result.change > 0) || !(scales.force > 0)) return std::nullopt;
   for (const ContactPart& part : parts_of(problem)) {
     const std::vector<std::size_t> rows = rows_of(problem, part);
     if (part.contacts.empty() || rows.size() > largest_open_part) continue;
-    const MixedProblem own = part_of(problem, part, rows);
-    std::vector<double> answer;
-    Scales own_scales{scales.force, {}, {}};
-    for (const std::size_t i : rows) {
-      answer.push_back(x[i]);
-      own_scales.change.push_back(scales.change[i]);
-      if (i < problem.free) own_scales.unknown.push_back(scales.unknown[i]);
-    }
     try {
-      OpenPart open(own, std::move(answer), std::move(own_scales), result.change, effort);
+      const MixedProblem own = part_of(problem, part, rows);
+      OpenPart open(own, of_rows(x, rows), scales.of_rows(rows), result.change, effort);
       result.directions += open.directions();
       if (open.directions() > 0) open.bound_sum();
       for (std::size_t k = 0; k < part.contacts.size(); ++k) {
@@ -258,6 +292,26 @@ std::optional<OpenForces> open_forces(const MixedProblem& problem, std::span<con
   }
   if (result.directions == 0) return std::nullopt;
   std::ranges::stable_sort(result.ranges, std::greater(), width);
+  return result;
+}
+
+std::optional<InsideForces> forces_inside(const MixedProblem& problem, std::span<const double> x, double tolerance,
+                                          double margin, Effort& effort) {
+  InsideForces result{std::vector<double>(x.begin(), x.end()), ConeMode(problem.contacts(), ConeState::open)};
+  double change = tolerance * contact_sizes(problem).velocity;
+  const Scales scales = scales_of(problem, x, tolerance, change);
+  if (!problem.is_coulomb() || !(change > 0) || !(scales.force > 0)) return std::nullopt;
+  for (const ContactPart& part : parts_of(problem)) {
+    const std::vector<std::size_t> rows = rows_of(problem, part);
+    if (part.contacts.empty()) continue;
+    if (rows.size() > largest_open_part) return std::nullopt;
+    const MixedProblem own = part_of(problem, part, rows);
+    const OpenPart open(own, of_rows(x, rows), scales.of_rows(rows), change, effort);
+    const auto inside = open.inside(margin);
+    if (!inside) return std::nullopt;
+    for (std::size_t i = 0; i < rows.size(); ++i) result.x[rows[i]] = (*inside)[i];
+    for (std::size_t k = 0; k < part.contacts.size(); ++k) result.mode[part.contacts[k]] = open.state(k);
+  }
   return result;
 }
 

@@ -16,7 +16,13 @@ class Ball : public Neighbourhood {
     defect_ = reader.number();
     reader.expect("bend");
     bend_ = reader.number();
-    factor_ = reader.entries("factor", unknowns_ - pinned_.size(), unknowns_ - pinned_.size());
+    const std::size_t left = unknowns_ - pinned_.size();
+    if (!reader.accept("order")) {
+      factor_ = reader.entries("factor", left, left);
+      return;
+    }
+    grid_ = static_cast<long>(reader.index(kMaxExponent));
+    for (std::size_t next = 0; next < left; ++next) place_.emplace(reader.index(left, place_), next);
   }
 
  private:
@@ -39,13 +45,17 @@ class Ball : public Neighbourhood {
     }
     require(defects <= square(defect_), "the center is farther from the equations than the defect");
     require(bends <= square(bend_), "the equations bend more");
-    check_least(scaled);
+    place_.empty() ? check_least(scaled) : check_least_in_order(scaled);
   }
 
-  /// Of each unknown among those that are left.
+  /// Of each unknown among those that are left, or in their order.
   std::vector<std::size_t> places() const {
     std::vector<std::size_t> result(unknowns_);
-    for (std::size_t j = 0, next = 0; j < unknowns_; ++j) result[j] = pinned_.count(j) > 0 ? 0 : next++;
+    for (std::size_t j = 0, next = 0; j < unknowns_; ++j) {
+      if (pinned_.count(j) > 0) continue;
+      result[j] = place_.empty() ? next : place_.at(next);
+      ++next;
+    }
     return result;
   }
 
@@ -58,9 +68,49 @@ class Ball : public Neighbourhood {
     check_semidefinite(rest);
   }
 
+  /// The same with an L that is found here: by Cholesky's method on a grid for M^T M - 2 least^2, so that least^2 pays
+  /// for rounding. Any L would do: what it leaves counts. A row of M is squared when its first column comes, so that
+  /// memory has only what is not eliminated yet.
+  void check_least_in_order(const Matrix& M) const {
+    Matrix rest(M.size());  // on and above the diagonal
+    Vector excess(M.size(), square(least_));
+    std::vector<std::vector<const Row*>> starting(M.size());
+    for (const Row& row : M) {
+      if (!row.empty()) starting[row.begin()->first].push_back(&row);
+    }
+    for (std::size_t j = 0; j < M.size(); ++j) {
+      for (const Row* row : starting[j]) add_square(rest, 1, *row, true);
+      rest[j][j] += -2 * square(least_);
+      add_square(rest, -1, column(rest[j]), true);
+      for (const auto& [i, a] : rest[j]) {
+        excess[j] += i == j ? a : -abs(a);
+        if (i != j) excess[i] += -abs(a);
+      }
+      rest[j].clear();
+    }
+    for (std::size_t j = 0; j < M.size(); ++j)
+      require(excess[j].sign() >= 0, "row", j, "the diagonal is less than the others");
+  }
+
+  /// Of L, from the first row of what is left; nothing where its diagonal is not positive.
+  Row column(const Row& row) const {
+    Row result;
+    const Number& diagonal = row.begin()->second;
+    const mpz_class root = diagonal.sign() > 0 ? mpz_class(sqrt(diagonal.floor(2 * grid_))) : mpz_class(0);
+    if (root == 0) return result;
+    for (const auto& [i, a] : row) {
+      mpz_class l = a.floor(2 * grid_);
+      mpz_fdiv_q(l.get_mpz_t(), l.get_mpz_t(), root.get_mpz_t());
+      if (l != 0) result.emplace(i, Number(std::move(l), -grid_, 1));
+    }
+    return result;
+  }
+
   Vector rows_;
   Number least_, defect_, bend_;
-  Matrix factor_;
+  Matrix factor_;                             ///< L, where there is no order
+  long grid_ = 0;                             ///< bits after the point in L
+  std::map<std::size_t, std::size_t> place_;  ///< in the order, of the unknowns that are left
 };
 
 }  // namespace slipproof::check_contact

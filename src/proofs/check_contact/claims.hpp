@@ -167,11 +167,11 @@ inline void check_dominant(const Matrix& A, const Vector& d) {
   }
 }
 
-/// Adds d x x^T to a matrix.
-inline void add_square(Matrix& to, const Number& d, const Row& x) {
-  for (const auto& [i, a] : x) {
-    const Number multiple = d * a;
-    for (const auto& [j, b] : x) to[i][j] += multiple * b;
+/// Adds d x x^T to a matrix, or to its entries on and above the diagonal.
+inline void add_square(Matrix& to, const Number& d, const Row& x, bool upper = false) {
+  for (auto i = x.begin(); i != x.end(); ++i) {
+    const Number multiple = d * i->second;
+    for (auto j = upper ? i : x.begin(); j != x.end(); ++j) to[i->first][j->first] += multiple * j->second;
   }
 }
 

@@ -31,6 +31,13 @@ class Number {
   int sign() const { return sgn(n_); }
   mpz_class dividend() const { return e_ > 0 ? n_ << bits(e_) : n_; }
   mpz_class divisor() const { return e_ < 0 ? d_ << bits(-e_) : d_; }
+  /// The largest integer that is not above 2^places times this.
+  mpz_class floor(long places) const {
+    const long up = e_ + places;
+    mpz_class result = up < 0 ? mpz_class(n_ >> bits(-up)) : mpz_class(n_ << bits(up));
+    mpz_fdiv_q(result.get_mpz_t(), result.get_mpz_t(), d_.get_mpz_t());
+    return result;
+  }
 
   Number& operator+=(Number y) {
     if (y.sign() == 0) return *this;

@@ -57,10 +57,24 @@ struct Problem {
     reader.expect("contacts");
     mu = reader.numbers("mu", reader.count());
     reader.announce(size());
-    A = reader.entries("matrix", size(), size());
+    A = reader.accept("mirrored") ? mirrored(reader, size()) : reader.entries("matrix", size(), size());
     c = reader.numbers("constant", size());
     if (reader.accept("law")) read_law(reader);
     if (!reader.accept("no-answer")) answer = reader.numbers("answer", size());
+  }
+
+  /// Row by row the entries up to the diagonal; those above it are their mirror images, of which those with one of row
+  /// and column below `turned` have the other sign.
+  static Matrix mirrored(Reader& reader, std::size_t size) {
+    Matrix A(size);
+    const std::size_t turned = reader.index(size + 1);
+    for (std::size_t i = 0; i < size; ++i) {
+      for (std::size_t left = reader.count(); left > 0; --left) reader.entry(A[i], i + 1);
+      for (auto entry = A[i].begin(); entry != A[i].end() && entry->first < i; ++entry) {
+        A[entry->first].emplace(i, entry->first < turned && i >= turned ? -entry->second : entry->second);
+      }
+    }
+    return A;
   }
 
   void read_law(Reader& reader) {

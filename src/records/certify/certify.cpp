@@ -22,6 +22,7 @@ void CertifySummary::add(const CertifySummary& other) {
   worst_error = std::max(worst_error, other.worst_error);
   with_rho += other.with_rho;
   worst_rho = std::max(worst_rho, other.worst_rho);
+  eps_solutions += other.eps_solutions;
   others_possible += other.others_possible;
 }
 
@@ -32,6 +33,7 @@ void CertifySummary::add(const RecordJudgement& judgement) {
   if (judgement.verdict == RecordVerdict::certified)
     worst_certified_error = std::max(worst_certified_error, judgement.max_error);
   worst_error = std::max(worst_error, judgement.max_error);
+  if (judgement.eps_solution) ++eps_solutions;
   if (judgement.verdict == RecordVerdict::certified && !judgement.others_excluded) ++others_possible;
   if (judgement.verdict == RecordVerdict::certified && !judgement.members.empty()) {
     ++with_rho;
@@ -62,6 +64,7 @@ std::string to_json(const CertifySummary& s) {
   json["worst_certified_error"] = fmt::format("{:.3g}", s.worst_certified_error);
   json["worst_error"] = fmt::format("{:.3g}", s.worst_error);
   if (s.with_rho > 0) json["worst_rho"] = at_most(s.worst_rho);
+  if (s.eps_solutions > 0) json["eps_solutions"] = s.eps_solutions;
   if (s.others_possible > 0) json["others_not_excluded"] = s.others_possible;
   return json_text(json);
 }

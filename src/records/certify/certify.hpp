@@ -21,6 +21,7 @@ struct CertifySummary {
   double worst_error = 0;             ///< the same among records that are the right motion, certified or not
   std::uint64_t with_rho = 0;         ///< contact problems whose certified answers have a rho instead of an error
   double worst_rho = 0;               ///< the largest of these rho
+  std::uint64_t eps_solutions = 0;    ///< of those that are inaccurate
   std::uint64_t others_possible = 0;  ///< certified records that are not proved to be the only solution
 
   std::uint64_t count(RecordVerdict v) const { return verdicts[static_cast<std::size_t>(v)]; }

@@ -54,7 +54,8 @@ struct RecordJudgement {
   /// where binary64 was sure of the record.
   std::optional<double> distance = std::nullopt;
   bool contact_problem = false;
-  std::string details = {};  ///< further JSON members, `,"violated":...`; empty for a certified record
+  bool eps_solution = false;  ///< among the inaccurate ones: nothing stronger is proved of a contact problem's answer
+  std::string details = {};   ///< further JSON members, `,"violated":...`; empty for a certified record
   /// For a contact problem with rho: bound on the distance from the answer to a solution, in each component.
   double rho = 0;
   std::string members = {};  ///< all JSON members after the record's number, if not the default ones

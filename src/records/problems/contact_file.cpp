@@ -242,7 +242,8 @@ std::string contact_members(const JudgedProblem& problem, std::size_t answer) {
   }
   add_others(j, line);
   if (j.every && std::isfinite(j.every->eta)) line["velocities_within"] = at_most(j.every->eta);
-  if (j.enclosure && j.enclosure->proof) line["velocities_within"] = at_most(j.eta);
+  const bool by_velocities = j.verdict == ContactVerdict::velocities_of_a_solution;
+  if (by_velocities || (j.enclosure && j.enclosure->proof)) line["velocities_within"] = at_most(j.eta);
   if (j.excluded() > 0) line["no_solution_within"] = at_least(j.excluded());
   if (j.residual) {
     line["residual"] = at_most(j.residual->change);
@@ -260,6 +261,9 @@ std::string contact_members(const JudgedProblem& problem, std::size_t answer) {
   if (j.has_solution() || j.every) line["undetermined_forces"] = j.undetermined;
   if (j.open) line["open_forces"] = open_forces_json(*j.open);
   if (!j.reason.empty()) line["reason"] = j.reason;
+  if (j.verdict == ContactVerdict::eps_solution && is_judged_by_residual(problem.mixed)) {
+    line["nothing_stronger"] = true;
+  }
   if (!j.contacts.empty()) line["about"] = counted_from_one(j.contacts);
   if (j.other) {
     Json other = Json::array();

@@ -24,6 +24,8 @@ RecordJudgement as_record(const JudgedProblem& problem, std::size_t answer) {
   const ContactJudgement& judgement = problem.answers[answer].judgement;
   result.verdict = record_verdict(judgement.verdict);
   result.others_excluded = !is_certified(judgement.verdict) || judgement.others_excluded();
+  result.eps_solution = judgement.verdict == ContactVerdict::eps_solution;
+  if (judgement.enclosure || judgement.every) result.tier = Tier::filter;  // with proved bounds on rounding
   result.rho = judgement.rho;
   result.members = contact_members(problem, answer);
   return result;

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "base/number/format.hpp"
 #include "base/output/json.hpp"
 #include "base/output/percent.hpp"
-#include "records/certify/certify.hpp"
 #include "report/markup/element.hpp"
 #include "report/values/exact_json.hpp"
 
@@ -15,14 +15,22 @@ namespace slipproof {
 
 namespace {
 
+constexpr std::string_view eps_solution = "eps-solution";
+
 std::string case_name(const GateFailure& failure) {
   return "record " + std::to_string(failure.record);
+}
+
+/// The title of its problem, if it has one.
+std::string titled(const GateFailure& failure, const std::string& file) {
+  const std::string title = Json::parse(failure.line).value("problem", std::string());
+  return title.empty() || title == file ? case_name(failure) : title + " (" + case_name(failure) + ")";
 }
 
 /// The reason in a line of output, where it has one.
 std::string message_of(const GateFailure& failure) {
   const Json line = Json::parse(failure.line);
-  std::string text = line.value("verdict", std::string(name(failure.verdict)));
+  std::string text = line.value("verdict", failure.verdict);
   if (line.contains("others")) text += ": others " + line["others"].get<std::string>();
   if (line.contains("reason")) text += ": " + line["reason"].get<std::string>();
   if (line.contains("violated") && line["violated"].is_string()) {
@@ -42,8 +50,9 @@ std::string message_of(const GateFailure& failure) {
 
 FailingVerdicts::FailingVerdicts(const std::vector<std::string>& names) {
   fails_[static_cast<std::size_t>(RecordVerdict::invalid)] = true;
+  eps_ = std::ranges::find(names, eps_solution) != names.end();
   for (const std::string& wanted : names) {
-    bool known = false;
+    bool known = wanted == eps_solution;
     for (std::size_t i = 0; i < record_verdict_count; ++i) {
       if (name(static_cast<RecordVerdict>(i)) != wanted) continue;
       fails_[i] = known = true;
@@ -51,6 +60,15 @@ FailingVerdicts::FailingVerdicts(const std::vector<std::string>& names) {
     if (!known) throw std::invalid_argument(wanted);
     only_ = only_ || wanted == name(RecordVerdict::ambiguous);
   }
+}
+
+bool FailingVerdicts::operator()(const CertifySummary& summary) const {
+  for (std::size_t i = 0; i < record_verdict_count; ++i) {
+    const auto verdict = static_cast<RecordVerdict>(i);
+    const std::uint64_t eps = verdict == RecordVerdict::inaccurate ? summary.eps_solutions : 0;
+    if (fails_[i] && summary.count(verdict) > eps) return true;
+  }
+  return (eps_ && summary.eps_solutions > 0) || (only_ && summary.others_possible > 0);
 }
 
 void GateRun::add(std::uint64_t record, const RecordJudgement& judgement, const FailingVerdicts& fails) {
@@ -61,7 +79,10 @@ void GateRun::add(std::uint64_t record, const RecordJudgement& judgement, const 
   std::string line;
   append_line(line, record, judgement);
   const bool certified = judgement.verdict == RecordVerdict::certified;  // and perhaps not the only one
-  listed.push_back({record, certified ? RecordVerdict::ambiguous : judgement.verdict, std::move(line)});
+  const std::string_view word = judgement.eps_solution ? eps_solution
+                                : certified            ? name(RecordVerdict::ambiguous)
+                                                       : name(judgement.verdict);
+  listed.push_back({record, std::string(word), std::move(line)});
 }
 
 std::string gate_text(const GateRun& run) {
@@ -83,8 +104,8 @@ std::string junit(const GateRun& run) {
       .set("name",
            counted(run.records - run.failed, "record") + " of " + std::to_string(run.records) + " that do not fail");
   for (const GateFailure& failure : run.listed) {
-    const Element own = suite.add("testcase").set("classname", run.file).set("name", case_name(failure));
-    own.add("failure").set("type", name(failure.verdict)).set("message", message_of(failure)).text(failure.line);
+    const Element own = suite.add("testcase").set("classname", run.file).set("name", titled(failure, run.file));
+    own.add("failure").set("type", failure.verdict).set("message", message_of(failure)).text(failure.line);
   }
   if (run.failed > run.listed.size()) {
     suite.add("system-out")
@@ -98,10 +119,11 @@ std::string sarif(const GateRun& run) {
   for (std::size_t i = 0; i < record_verdict_count; ++i) {
     rules.push_back(Json{{"id", name(static_cast<RecordVerdict>(i))}});
   }
+  rules.push_back(Json{{"id", eps_solution}});
   for (const GateFailure& failure : run.listed) {
     Json result, location;
-    result["ruleId"] = name(failure.verdict);
-    result["level"] = failure.verdict == RecordVerdict::undecided ? "warning" : "error";
+    result["ruleId"] = failure.verdict;
+    result["level"] = failure.verdict == name(RecordVerdict::undecided) ? "warning" : "error";
     result["message"]["text"] = case_name(failure) + ": " + message_of(failure);
     location["physicalLocation"]["artifactLocation"]["uri"] = percent_encoded(run.file, "/");
     result["locations"] = Json::array({std::move(location)});

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "records/judging/judge.hpp"
+#include "records/certify/certify.hpp"
 
 namespace slipproof {
 
@@ -15,27 +15,29 @@ class FailingVerdicts {
  public:
   /// All but `certified`.
   FailingVerdicts() { fails_.fill(true), fails_[static_cast<std::size_t>(RecordVerdict::certified)] = false; }
-  /// Those that are named, and `invalid`: what could not be judged is never right. Throws std::invalid_argument for
-  /// what is none.
+  /// Those that are named, and `invalid`: what could not be judged is never right. `eps-solution` is a name, too.
+  /// Throws std::invalid_argument for other words.
   explicit FailingVerdicts(const std::vector<std::string>& names);
 
   bool operator()(RecordVerdict verdict) const { return fails_[static_cast<std::size_t>(verdict)]; }
   /// Where `ambiguous` is named, a certified answer fails, too, unless it is proved to be the only one.
   bool operator()(const RecordJudgement& judgement) const {
+    if (judgement.eps_solution) return eps_;
     return (*this)(judgement.verdict) ||
            (only_ && judgement.verdict == RecordVerdict::certified && !judgement.others_excluded);
   }
-  bool only() const { return only_; }
+  /// Whether anything that was counted fails.
+  bool operator()(const CertifySummary& summary) const;
 
  private:
   std::array<bool, record_verdict_count> fails_{};
-  bool only_ = false;
+  bool only_ = false, eps_ = true;
 };
 
-/// A record, or an answer, that fails: its number, its verdict, and its line of output.
+/// A record, or an answer, that fails: its number, the word for --fail-on, and its line of output.
 struct GateFailure {
   std::uint64_t record = 0;
-  RecordVerdict verdict = RecordVerdict::wrong;
+  std::string verdict;
   std::string line;
 };
 
@@ -52,7 +54,7 @@ struct GateRun {
 
 /// For a log: how many fail, and of the first ten which and why, a line each. `2 of 10 records fail` and its lines.
 std::string gate_text(const GateRun& run);
-/// A suite with a case for each failure, and one for all others together.
+/// A suite with a case for each failure, by the title of its problem, and one for all others together.
 std::string junit(const GateRun& run);
 /// A result for each failure, with the file as its place and the record's number among its properties.
 std::string sarif(const GateRun& run);

@@ -29,8 +29,21 @@ Box::Box(const Certificate& problem, Words& words, bool ball)
     words.expect("bend");
     bend_ = words.number();
   }
+  if (ball && words.take("order")) {
+    read_order(words);
+    return;
+  }
   words.expect(ball ? "factor" : "inverse");
   R_ = words.entries(left_.size(), ball ? left_.size() : kept_.size());
+}
+
+void Box::read_order(Words& words) {
+  grid_ = words.count(5000);
+  std::set<std::size_t> seen;
+  while (order_.size() < left_.size()) {
+    order_.push_back(words.count(left_.size()));
+    if (!seen.insert(order_.back()).second) throw Garbled();
+  }
 }
 
 void Box::read_modes(Words& words) {
@@ -182,15 +195,44 @@ void Box::check_ball() const {
   }
   need(least_singular_ > 0 && defect_ >= 0 && bend_ >= 0 && defect_ + bend_ <= least_singular_, "ball");
   need(defects <= defect_ * defect_ && bends <= bend_ * bend_, "defect or bend");
+  const Mat L = order_.empty() ? R_ : factor(rows);
   for (std::size_t i = 0; i < M; ++i) {
     Q excess;
     for (std::size_t j = 0; j < M; ++j) {
       Q g = i == j ? Q(-least_singular_ * least_singular_) : Q(0);
-      for (std::size_t k = 0; k < M; ++k) g += rows[k][i] * rows[k][j] - R_[i][k] * R_[j][k];
+      for (std::size_t k = 0; k < M; ++k) g += rows[k][i] * rows[k][j] - L[i][k] * L[j][k];
       excess += i == j ? g : Q(-absolute(g));
     }
     need(excess >= 0, "least singular value");
   }
+}
+
+/// Cholesky's factor of M^T M - 2 s^2 in the order, on the grid, column by column from the columns before.
+Mat Box::factor(const Mat& M) const {
+  const std::size_t n = order_.size();
+  const Q unit = power_of_two(static_cast<long>(grid_));
+  const auto below = [](const Q& x) {
+    mpz_class floor;
+    mpz_fdiv_q(floor.get_mpz_t(), x.get_num_mpz_t(), x.get_den_mpz_t());
+    return floor;
+  };
+  Mat L(n, Vec(n));
+  for (std::size_t a = 0; a < n; ++a) {
+    const std::size_t j = order_[a];
+    Vec left(n);
+    for (std::size_t b = a; b < n; ++b) {
+      const std::size_t i = order_[b];
+      if (b == a) left[i] = -2 * least_singular_ * least_singular_;
+      for (std::size_t k = 0; k < n; ++k) left[i] += M[k][i] * M[k][j];
+      for (std::size_t k = 0; k < a; ++k) left[i] -= L[i][k] * L[j][k];
+    }
+    const mpz_class root = left[j] > 0 ? mpz_class(sqrt(below(Q(left[j] * unit * unit)))) : mpz_class(0);
+    for (std::size_t b = a; b < n && root > 0; ++b) {
+      const std::size_t i = order_[b];
+      L[i][a] = below(Q(left[i] * unit * unit / root)) / unit;
+    }
+  }
+  return L;
 }
 
 void Box::check_inverse(const Q& alone) const {

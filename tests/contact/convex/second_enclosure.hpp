@@ -39,6 +39,7 @@ class Box {
  private:
   void read_modes(Words& words);
   void read_dropped(Words& words);
+  void read_order(Words& words);
   Form row(std::size_t i) const;
   Q reach(const Form& f) const;
   int slides(std::size_t k, std::size_t t) const;
@@ -47,6 +48,7 @@ class Box {
   void list_friction(std::size_t k);
   void check_dropped() const;
   void check_ball() const;
+  Mat factor(const Mat& M) const;
   void check_inverse(const Q& alone) const;
   void check_open(std::size_t k) const;
   void check_contact(std::size_t k) const;
@@ -58,7 +60,9 @@ class Box {
   std::map<std::size_t, std::map<std::size_t, Q>> dropped_;
   Vec rows_;
   Q least_singular_, defect_, bend_;
-  Mat R_;
+  Mat R_;                           ///< the inverse, or L where there is no order
+  std::vector<std::size_t> order_;  ///< of what is left
+  std::size_t grid_ = 0;
   std::vector<Form> F_;
 };
 

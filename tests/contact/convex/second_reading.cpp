@@ -154,6 +154,20 @@ void every(const Certificate& p, Words& words) {
   }
 }
 
+void read_mirrored(Certificate& p, Words& words) {
+  const std::size_t turned = words.count(p.n + 1);
+  p.A.assign(p.n, Vec(p.n));
+  for (std::size_t i = 0; i < p.n; ++i) {
+    std::set<std::size_t> seen;
+    for (std::size_t left = words.count(i + 2); left > 0; --left) {
+      const std::size_t j = words.count(i + 1);
+      if (!seen.insert(j).second) throw Garbled();
+      p.A[i][j] = p.A[j][i] = words.number();
+      if (j < turned && turned <= i) p.A[j][i] *= -1;
+    }
+  }
+}
+
 Certificate read_problem(Words& words) {
   Certificate p;
   words.expect("slipproof-contact");
@@ -168,8 +182,12 @@ Certificate read_problem(Words& words) {
   p.K = words.count(10000);
   p.n = p.F + p.D * p.K;
   p.mu = words.named("mu", p.K);
-  words.expect("matrix");
-  p.A = words.entries(p.n, p.n);
+  if (words.take("mirrored")) {
+    read_mirrored(p, words);
+  } else {
+    words.expect("matrix");
+    p.A = words.entries(p.n, p.n);
+  }
   p.c = words.named("constant", p.n);
   if (words.take("law")) {
     p.law = words.next();

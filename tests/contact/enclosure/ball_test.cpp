@@ -107,6 +107,8 @@ TEST_CASE("balls around solutions of long rows contain them, and their certifica
     using Kind = check_contact::ContactVerdict::Kind;
     const std::string certificate = contact_certificate(known.problem, found);
     CHECK(certificate.find("\nball ") != std::string::npos);
+    CHECK(certificate.find("\nmirrored ") != std::string::npos);
+    CHECK(certificate.size() < 400 * known.problem.size());
     CHECK(check_contact::checked_on_record(certificate).kind == Kind::accepted);
   }
 }

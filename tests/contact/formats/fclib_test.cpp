@@ -144,19 +144,24 @@ TEST_CASE("a solution and guesses are answers; a solution with r = 0 and another
   CHECK(alone.origin == folder.path("p.hdf5"));
 }
 
-TEST_CASE("what was created and never written reads as zeros, and is told") {
+TEST_CASE("what was created and never written is left out, and without forces there is no answer") {
   const Folder folder;
-  const ReadProblem read = read_problem_file(written(folder, write_global, [](const Hdf5Writer& out) {
-    write_solution(out, {1, 1}, {4, 5});
-    out.set("/solution/r", H5T_IEEE_F64LE, {2}, H5T_NATIVE_DOUBLE, nullptr);
-    out.reals("/solution/v", {0, 0, 0});
-  }));
-  REQUIRE(read.answers.size() == 1);
-  CHECK(read.answers[0].r == Numbers{0, 0});
-  CHECK(
-      read.problem.remarks ==
-      std::vector<std::string>{"/solution/r was never written, and reads as zeros",
-                               "the stored /solution is no solution: r is 0, and M v differs from H r + f by up to 3"});
+  const auto with_unwritten = [&](const char* part) {
+    return written(folder, write_global, [=](const Hdf5Writer& out) {
+      write_solution(out, {1, 1}, {4, 5});
+      const hsize_t size = std::string(part) == "/solution/v" ? 3 : 2;
+      out.set(part, H5T_IEEE_F64LE, {size}, H5T_NATIVE_DOUBLE, nullptr);
+    });
+  };
+  const ReadProblem forces = read_problem_file(with_unwritten("/solution/r"));
+  CHECK(forces.answers.empty());
+  CHECK(forces.problem.remarks == std::vector<std::string>{"/solution/r was never written, and is left out"});
+  CHECK_THROWS_WITH_AS(read_answer_file(with_unwritten("/solution/r")),
+                       doctest::Contains("/solution/r: found a data set that was never written"), InputError);
+  const ReadProblem velocities = read_problem_file(with_unwritten("/solution/v"));
+  REQUIRE(velocities.answers.size() == 1);
+  CHECK(velocities.answers[0].r == Numbers{1, 1});
+  CHECK(velocities.answers[0].v.empty());
 }
 
 TEST_CASE("an answer may stand alone in its file") {

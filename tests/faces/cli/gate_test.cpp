@@ -27,7 +27,7 @@ TEST_CASE("--fail-on says which verdicts fail, and without it exit codes are as 
   CHECK(run({"certify", examples, "--fail-on", "wrong"}).exit_code == 1);
   const auto mistaken = run({"certify", examples, "--fail-on", "wrong,slow"});
   CHECK(mistaken.exit_code == 2);
-  CHECK(mistaken.err.find("found slow, expected ambiguous, inaccurate, wrong, invalid or undecided") !=
+  CHECK(mistaken.err.find("found slow, expected ambiguous, inaccurate, eps-solution, wrong, invalid or undecided") !=
         std::string::npos);
   const std::string nan = folder.write("n.jsonl", R"({"M":[[2,1],[1,2]],"q":[-5,-6],"z":["4/3","7/3"]})"
                                                   "\n"
@@ -44,6 +44,44 @@ TEST_CASE("--fail-on says which verdicts fail, and without it exit codes are as 
   CHECK(run({"certify", block, "--tolerance", "1e-12"}).exit_code == 1);
   CHECK(run({"certify", block, "--tolerance", "1e-12", "--fail-on", "wrong"}).exit_code == 0);
   CHECK(run({"certify", block, "--tolerance", "1e-12", "--fail-on", "inaccurate"}).exit_code == 1);
+}
+
+TEST_CASE("eps-solution is a word of its own: what only the residual judges does not fail as inaccurate") {
+  const TemporaryFolder folder;
+  const std::string diamond =
+      R"({"title":"a diamond","dimension":3,"W":[[1,0,0],[0,1,0],[0,0,1]],"q":[-10,6,6],"mu":0.5,"law":"diamond",)";
+  const std::string right = diamond + R"("r":[10,-2.5,-2.5]})" + "\n", off = diamond + R"("r":[10,-2.5,-2.4]})" + "\n";
+  const std::string lines = folder.write("d.jsonl", right + right), file = folder.write("d.json", right);
+  for (const std::string& given : {lines, file}) {
+    CHECK(run({"certify", given, "--fail-on", "wrong,inaccurate", "--tolerance", "1e-12"}).exit_code == 0);
+    CHECK(run({"certify", given, "--fail-on", "wrong,eps-solution"}).exit_code == 1);
+    CHECK(run({"certify", given}).exit_code == 1);
+    CHECK(run({"certify", given, "--json"}).out.find(R"("nothing_stronger":true)") != std::string::npos);
+  }
+  CHECK(run({"certify", lines, "--fail-on", "inaccurate", "--checkpoint", folder.path() / "c"}).exit_code == 0);
+  CHECK(run({"certify", lines, "--fail-on", "eps-solution", "--checkpoint", folder.path() / "e"}).exit_code == 1);
+  const std::string wrong = folder.write("w.jsonl", right + off), junit = folder.path() / "j.xml";
+  const auto failed = run({"certify", wrong, "--fail-on", "wrong,inaccurate", "--junit", junit, "--json"});
+  CHECK(failed.exit_code == 1);
+  CHECK(failed.err.starts_with("1 of 2 records fail\n"));
+  CHECK(failed.err.find("contact 1 violates |r_1| + |r_2| ") != std::string::npos);
+  CHECK(read_file(junit).find("name=\"a diamond (record 2)\"") != std::string::npos);
+  const std::string sarif = folder.path() / "s.sarif";
+  CHECK(run({"certify", lines, "--fail-on", "eps-solution", "--sarif", sarif, "--quiet"}).exit_code == 1);
+  const auto results = nlohmann::json::parse(read_file(sarif))["runs"][0]["results"];
+  REQUIRE(results.size() == 2);
+  CHECK(results[0]["ruleId"] == "eps-solution");
+}
+
+TEST_CASE("how many are decided in exact arithmetic, and how many by bounds on rounding") {
+  const TemporaryFolder folder;
+  const std::string slides = R"({"dimension":3,"W":[[1,0,0],[0,1,0],[0,0,1]],"q":[-10,6,8],"mu":0.5,"r":[10,-3,-4]})"
+                             "\n";
+  const std::string small = R"({"M":[[2,1],[1,2]],"q":[-5,-6],"z":["4/3","7/3"]})"
+                            "\n";
+  CHECK(run({"certify", folder.write("m.jsonl", slides + small + small)})
+            .out.find("\n2 decided in exact arithmetic, 1 by floating point with proved error bounds") !=
+        std::string::npos);
 }
 
 TEST_CASE("--fail-on ambiguous fails where uniqueness is not proved, of files and of lines") {

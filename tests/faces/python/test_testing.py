@@ -23,6 +23,8 @@ def test_right_answers_pass():
     assert assert_certified(W, q, [10, -5, 0], mu, dimension=3).verdict == "solution within rho"
     assert assert_certified(W, q, [10.4, -5.2, 0], mu, dimension=3, law="associated").verdict == "unique"
     assert assert_certified([[1, 2], [2, 1]], [-1, -1], [1, 0]).verdict == "ambiguous"
+    assert assert_certified([[1, 0, 0], [0, 1, 0], [0, 0, 1]], [-10, 6, 6], [10, -2.5, -2.5], 0.5, dimension=3,
+                            law="diamond").verdict == "eps-solution"
     assert assert_certified(W, q, [10.001, -5, 0], mu, dimension=3, tolerance=1e-2)
 
 

@@ -145,6 +145,30 @@ inline const std::string kComplementarity =
     "0 0 1/2  1 1 1/2\n"
     "end\n";
 
+/// The same equations, by half of the matrix and a bound on how much it shortens: M is J with its columns over 16 and
+/// 8, and its least singular value is 0.0777.
+inline const std::string kBall =
+    "slipproof-contact 1\n"
+    "dimension 1 free 0 contacts 2\n"
+    "mu 0 0\n"
+    "mirrored 0\n"
+    "1 0 2\n"
+    "2 0 1 1 2\n"
+    "constant -3 -3\n"
+    "answer 1 1\n"
+    "ball 1/8\n"
+    "modes stick stick\n"
+    "center 65/64 1\n"
+    "radius 1/16 1/8\n"
+    "pinned 0\n"
+    "dropped 0\n"
+    "rows 1 1\n"
+    "least 3/64\n"
+    "defect 9/256\n"
+    "bend 0\n"
+    "order 8 1 0\n"
+    "end\n";
+
 /// A rod of weight 2 that rests on two supports: v = 0, r_1 + r_2 = 2. Which of them bears what is free.
 inline const std::string kRod =
     "slipproof-contact 1\n"

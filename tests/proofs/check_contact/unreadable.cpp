@@ -9,9 +9,9 @@ using namespace slipproof::check_contact;
 
 namespace {
 
-const std::vector<std::string> kAll{kEps,     kNoneWithin,   kNoSolution, kSlide,    kPlane, kComplementarity,
-                                    kRod,     kStick,        kDominant,   kDefinite, kNamed, kRestsInBox,
-                                    kParadox, kSlidesInSpace};
+const std::vector<std::string> kAll{kEps,  kNoneWithin, kNoSolution,   kSlide,    kPlane, kComplementarity,
+                                    kRod,  kStick,      kDominant,     kDefinite, kNamed, kRestsInBox,
+                                    kBall, kParadox,    kSlidesInSpace};
 
 struct Malformed {
   std::string from, to, expected;

@@ -13,7 +13,8 @@ void add_gate_options(CLI::App& command, GateArguments& options) {
           "--fail-on", options.fail_on,
           "Verdicts that end with exit code 1, others with 0: some of ambiguous (or not\nproved to be the only "
           "solution), "
-          "inaccurate, wrong, undecided, with commas;\ninvalid ones always do. Without it all are told by their own "
+          "inaccurate, eps-solution, wrong, undecided, with\ncommas; invalid ones always do. Without it all are told "
+          "by their own "
           "exit codes")
       ->delimiter(',')
       ->check([](const std::string& word) {
@@ -21,7 +22,7 @@ void add_gate_options(CLI::App& command, GateArguments& options) {
           FailingVerdicts({word});
           return std::string();
         } catch (const std::invalid_argument&) {
-          return "found " + word + ", expected ambiguous, inaccurate, wrong, invalid or undecided";
+          return "found " + word + ", expected ambiguous, inaccurate, eps-solution, wrong, invalid or undecided";
         }
       });
   const auto named = [](const std::string& file) {
@@ -55,10 +56,7 @@ void Gate::write() {
 int Gate::exit_code(const CertifySummary& summary, int without) const {
   if (!asked_) return without;
   if (summary.records == 0) return refuted_or_not_certified;  // nothing has been looked at
-  for (std::size_t i = 0; i < record_verdict_count; ++i) {
-    if (summary.verdicts[i] > 0 && fails_(static_cast<RecordVerdict>(i))) return refuted_or_not_certified;
-  }
-  return fails_.only() && summary.others_possible > 0 ? refuted_or_not_certified : success;
+  return fails_(summary) ? refuted_or_not_certified : success;
 }
 
 int Gate::exit_code(int without) const {

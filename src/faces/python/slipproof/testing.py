@@ -62,13 +62,15 @@ def assert_certified(W: Any, q: Any, z: Any, mu: Any = None, *, tolerance: float
     """Fails unless ``z`` is right for the contact problem w = ``W`` z + ``q`` with the friction ``mu``.
 
     These, ``tolerance`` and ``options`` are those of :func:`slipproof.certify`. ``only``: it has to be
-    proved that there is no other solution. The message says which contact breaks which law, by how much, and has a solution if one is found. Returns the verdict. Raises AssertionError, and what ``certify`` raises.
+    proved that there is no other solution. By laws of which only the residual is judged, such as the diamond in space, a
+    backward error within the tolerance is right. The message says which contact breaks which law, by how much, and has a solution if one is found. Returns the verdict. Raises AssertionError, and what ``certify`` raises.
     """
     __tracebackhide__ = True
     verdict: Union[Verdict, Verdicts] = certify(W, q, z, mu, tolerance=tolerance, **options)
     if isinstance(verdict, Verdicts):
         raise TypeError("found several problems, expected one")
-    if (verdict.only if only else verdict.certified or verdict.verdict == "ambiguous"):
+    best = verdict.verdict == "eps-solution" and bool(verdict.details.get("nothing_stronger"))
+    if (verdict.only if only else verdict.certified or best or verdict.verdict == "ambiguous"):
         return verdict
     lines = [f"the answer is {verdict.verdict}, at a tolerance of {tolerance:g}"]
     if verdict.certified:

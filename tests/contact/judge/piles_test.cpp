@@ -1,0 +1,132 @@
+// Stacks of boxes at rest: their forces are open, and a solver leaves some of them at the edge of their cones.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+
+#include "contact/judge/certificate.hpp"
+#include "contact/judge/find.hpp"
+#include "contact/judge/judge.hpp"
+#include "proofs/check_contact/record.hpp"
+
+using namespace slipproof;
+
+namespace {
+
+using Point = std::array<double, 3>;
+
+/// Boxes of size 1 and mass 1, each a little aside of the one below, on their corners; mu = 1/2. A push to the side
+/// acts on each of them. In dimension 2 x and z are left of space.
+class Stack {
+ public:
+  Stack(std::size_t boxes, std::size_t dimension, double push) : d_(dimension), own_(dimension == 3 ? 6 : 3) {
+    p_.dimension = dimension;
+    p_.free = own_ * boxes;
+    for (std::size_t k = 0; k < boxes; ++k) {
+      for (std::size_t i = 0; i < own_; ++i) add(own_ * k + i, own_ * k + i, i < d_ ? 1 : 0.125);
+      p_.c.insert(p_.c.end(), own_, 0);
+      p_.c[own_ * k] = -push;
+      p_.c[own_ * k + d_ - 1] = 10;
+    }
+    for (std::size_t k = 0; k < boxes; ++k) {
+      for (const double x : {-0.4375, 0.4375}) {
+        for (const double y : {-0.4375, 0.4375}) {
+          if (d_ == 3 || y > 0) touch(k, {x, d_ == 3 ? y : 0, 0});
+        }
+      }
+    }
+    std::vector<MatrixEntry> twice;
+    p_.A = sparse_matrix(p_.c.size(), p_.c.size(), entries_, twice);
+  }
+
+  const MixedProblem& problem() const { return p_; }
+
+ private:
+  void add(std::size_t row, std::size_t column, double value) {
+    entries_.push_back({static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(column), value});
+  }
+
+  /// Box k and the one below, at a point that is given from the middle of the lower face of box k.
+  void touch(std::size_t k, const Point& at) {
+    const double aside = k % 2 == 0 ? 0.03125 : -0.03125;
+    const std::array<Point, 3> axes{{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}};
+    for (std::size_t t = 0; t < d_; ++t) {
+      const std::size_t row = p_.c.size();
+      p_.c.push_back(0);
+      push(row, k, axes[t], {at[0], at[1], -0.5}, 1);
+      if (k > 0) push(row, k - 1, axes[t], {at[0] + aside, at[1], 0.5}, -1);
+    }
+    p_.mu.push_back(0.5);
+  }
+
+  void push(std::size_t row, std::size_t k, const Point& n, const Point& arm, double sign) {
+    const Point turn{arm[1] * n[2] - arm[2] * n[1], arm[2] * n[0] - arm[0] * n[2], arm[0] * n[1] - arm[1] * n[0]};
+    const std::array<double, 6> space{n[0], n[1], n[2], turn[0], turn[1], turn[2]}, plane{n[0], n[2], turn[1], 0, 0, 0};
+    for (std::size_t i = 0; i < own_; ++i) {
+      const double h = sign * (d_ == 3 ? space[i] : plane[i]);
+      if (h == 0) continue;
+      add(own_ * k + i, row, -h);
+      add(row, own_ * k + i, h);
+    }
+  }
+
+  const std::size_t d_, own_;
+  MixedProblem p_;
+  std::vector<MatrixEntry> entries_;
+};
+
+std::vector<double> solved(const MixedProblem& problem) {
+  return approximate_solution(problem, {.sweeps = 50000});
+}
+
+bool is_accepted(const MixedProblem& problem, const ContactJudgement& judgement) {
+  const std::string certificate = contact_certificate(problem, judgement);
+  return check_contact::checked_on_record(certificate).kind == check_contact::ContactVerdict::Kind::accepted;
+}
+
+}  // namespace
+
+TEST_CASE("a stack at rest is one motion at every size, whatever its forces") {
+  for (const std::size_t boxes : {1U, 2U, 3U, 6U}) {
+    const Stack stack(boxes, 2, 0);
+    const ContactJudgement found = judge_contacts(stack.problem(), solved(stack.problem()), {}, {});
+    CAPTURE(boxes);
+    CHECK(is_certified(found.verdict));  // and not ambiguous
+    CHECK(found.undetermined > 0);
+    CHECK(is_accepted(stack.problem(), found));
+  }
+}
+
+TEST_CASE("right answers to stacks in space are certified, with forces inside of their cones") {
+  for (const double push : {0.0, 1.0, 2.0}) {
+    const Stack stack(3, 3, push);
+    const std::vector<double> answer = solved(stack.problem());
+    const ContactJudgement found = judge_contacts(stack.problem(), answer, {}, {});
+    CAPTURE(push);
+    CHECK(found.residual->backward_error() <= contact_tolerance);
+    CHECK(is_certified(found.verdict));
+    REQUIRE(found.enclosure);
+    CHECK(found.eta <= contact_tolerance * found.residual->scale);
+    CHECK(is_accepted(stack.problem(), found));
+    // Nothing is certified that is not there.
+    std::vector<double> off = answer;
+    for (std::size_t i = stack.problem().free; i < off.size(); ++i) off[i] += i % 2 == 0 ? 0.01 : -0.01;
+    const ContactJudgement near = judge_contacts(stack.problem(), off, {}, {});
+    CHECK(!is_certified(near.verdict));
+    if (push < 2) CHECK(name(near.verdict) == "not converged");  // with more, no forces are well inside
+    CHECK(is_accepted(stack.problem(), near));
+  }
+}
+
+TEST_CASE("a wrong answer to a stack is as wrong with little effort") {
+  const Stack stack(3, 3, 1);
+  std::vector<double> wrong = solved(stack.problem());
+  for (std::size_t i = stack.problem().free; i < wrong.size(); i += 3) wrong[i] *= i % 2 == 0 ? 1.5 : 0.75;
+  ContactJudgeOptions little;
+  little.effort = 1'000'000;
+  CHECK(name(judge_contacts(stack.problem(), wrong, {}, {}).verdict) == "wrong");
+  CHECK(name(judge_contacts(stack.problem(), wrong, {}, little).verdict) == "wrong");
+  // Pushed harder than friction holds it slides, and the answer of the stack at rest is wrong.
+  const Stack pushed(3, 3, 6);
+  CHECK(name(judge_contacts(pushed.problem(), solved(stack.problem()), {}, {}).verdict) == "wrong");
+}
