@@ -9,6 +9,7 @@
 #include "base/parallel/stop.hpp"
 #include "contact/enclosure/answer.hpp"
 #include "contact/enclosure/residual.hpp"
+#include "contact/judge/sweeps.hpp"
 
 namespace slipproof {
 
@@ -112,99 +113,9 @@ std::optional<MixedProblem> delassus(const MixedProblem& problem, const FindOpti
   return result;
 }
 
-/// The rows of one contact in u = W r + q.
-class ContactRows {
- public:
-  /// Of a problem without free unknowns.
-  explicit ContactRows(const MixedProblem& problem)
-      : problem_(problem), size_(static_cast<Eigen::Index>(problem.dimension)) {}
-
-  Eigen::Index first(std::size_t contact) const { return static_cast<Eigen::Index>(contact) * size_; }
-  Eigen::Index count() const { return static_cast<Eigen::Index>(problem_.contacts()) * size_; }
-
-  /// Its own block of W.
-  Dense block(std::size_t contact) const {
-    Dense own = Dense::Zero(size_, size_);
-    each_entry(contact, [&](Eigen::Index i, Eigen::Index column, double value) {
-      const Eigen::Index j = column - first(contact);
-      if (j >= 0 && j < size_) own(i, j) += value;
-    });
-    return own;
-  }
-
-  /// u of the contact.
-  DenseVector velocity(std::size_t contact, const DenseVector& r) const {
-    DenseVector u(size_);
-    for (Eigen::Index i = 0; i < size_; ++i) u[i] = problem_.c[static_cast<std::size_t>(first(contact) + i)];
-    each_entry(contact, [&](Eigen::Index i, Eigen::Index column, double value) { u[i] += value * r[column]; });
-    return u;
-  }
-
- private:
-  template <class Each>
-  void each_entry(std::size_t contact, const Each& each) const {
-    for (Eigen::Index i = 0; i < size_; ++i) {
-      const auto row = static_cast<std::size_t>(first(contact) + i);
-      for (std::size_t e = problem_.A.starts[row]; e < problem_.A.starts[row + 1]; ++e) {
-        each(i, static_cast<Eigen::Index>(problem_.A.column[e]), problem_.A.value[e]);
-      }
-    }
-  }
-
-  const MixedProblem& problem_;
-  Eigen::Index size_;
-};
-
-/// The force of one contact for given forces of the others: a fixed-point iteration of projections on what its law
-/// allows.
-class OneContact {
- public:
-  OneContact(const MixedProblem& problem, std::size_t k, const Dense& block)
-      : block_(block), mu_(problem.mu[k]), law_(problem.law.kind) {
-    const double norm = block.norm();
-    step_ = norm > 0 ? 1 / norm : 1;
-    const std::size_t d = problem.dimension - 1;
-    if (law_ == FrictionLaw::fixed) bounds_ = std::span(problem.law.bounds).subspan(d * k, d);
-  }
-
-  DenseVector solve(const DenseVector& rest, DenseVector r) const {
-    for (int i = 0; i < 40; ++i) {
-      const DenseVector next = projected(r - step_ * (block_ * r + rest));
-      const double moved = (next - r).lpNorm<Eigen::Infinity>();
-      r = next;
-      if (moved <= 1e-16 * r.lpNorm<Eigen::Infinity>()) break;
-    }
-    return r;
-  }
-
- private:
-  DenseVector projected(DenseVector r) const {
-    const Eigen::Index tangential = r.size() - 1;
-    if (law_ == FrictionLaw::fixed) {
-      r[0] = std::max(r[0], 0.0);
-      for (Eigen::Index i = 0; i < tangential; ++i) {
-        const double bound = bounds_[static_cast<std::size_t>(i)];
-        r[i + 1] = std::clamp(r[i + 1], -bound, bound);
-      }
-      return r;
-    }
-    const double length = r.tail(tangential).norm();
-    if (law_ == FrictionLaw::associated && length > mu_ * r[0]) r[0] = (r[0] + mu_ * length) / (1 + mu_ * mu_);
-    r[0] = std::max(r[0], 0.0);
-    const double bound = mu_ * r[0];
-    if (length > bound) r.tail(tangential) *= length > 0 ? bound / length : 0;
-    return r;
-  }
-
-  Dense block_;
-  double mu_, step_;
-  FrictionLaw law_;
-  std::span<const double> bounds_;
-};
-
-std::vector<double> with_free(const MixedProblem& problem, const DenseVector& r) {
+std::vector<double> with_free(const MixedProblem& problem, const std::vector<double>& r) {
   std::vector<double> x(problem.free, 0);
-  x.insert(x.end(), r.data(), r.data() + r.size());
+  x.insert(x.end(), r.begin(), r.end());
   if (!complete_free_unknowns(problem, x)) return {};
   return x;
 }
@@ -226,32 +137,12 @@ bool apart(const Enclosure& a, const Enclosure& b) {
 std::vector<double> approximate_solution(const MixedProblem& problem, const FindOptions& options) {
   std::optional<MixedProblem> eliminated;
   if (problem.free > 0 && !(eliminated = delassus(problem, options))) return {};
-  const ContactRows rows(eliminated ? *eliminated : problem);
-  const auto size = static_cast<Eigen::Index>(problem.dimension);
-  std::vector<Dense> blocks;
-  std::vector<OneContact> contacts;
-  for (std::size_t k = 0; k < problem.contacts(); ++k) {
-    blocks.push_back(rows.block(k));
-    contacts.emplace_back(problem, k, blocks.back());
-  }
-  DenseVector r = DenseVector::Zero(rows.count());
-  if (!options.start.empty()) {
-    r = Eigen::Map<const DenseVector>(options.start.data() + problem.free, rows.count());
-  }
-  for (int sweep = 0; sweep < options.sweeps; ++sweep) {
-    double moved = 0;
-    stop_if_asked();
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
-      const Eigen::Index first = rows.first(k);
-      const DenseVector before = r.segment(first, size);
-      const DenseVector rest = rows.velocity(k, r) - blocks[k] * before;
-      const DenseVector after = contacts[k].solve(rest, before);
-      moved = std::max(moved, (after - before).lpNorm<Eigen::Infinity>());
-      r.segment(first, size) = after;
-    }
-    if (!r.allFinite()) return {};
-    if (moved <= 1e-15 * r.lpNorm<Eigen::Infinity>()) break;
-  }
+  const MixedProblem& contacts = eliminated ? *eliminated : problem;
+  std::vector<double> r(contacts.size(), 0);
+  if (!options.start.empty())
+    std::copy(options.start.begin() + static_cast<std::ptrdiff_t>(problem.free), options.start.end(), r.begin());
+  r = swept(contacts, std::move(r), options.rounds);
+  if (!std::ranges::all_of(r, [](double x) { return std::isfinite(x); })) return {};
   return with_free(problem, r);
 }
 

@@ -9,17 +9,15 @@
 namespace slipproof {
 
 struct FindOptions {
-  int sweeps = 400;                       ///< sweeps over all contacts
+  int rounds = 10;                        ///< of 400 sweeps over all contacts each
   std::size_t largest = 3000;             ///< free unknowns that depend on each other, which are eliminated densely
   std::size_t most_entries = 20'000'000;  ///< largest number of entries of the Delassus matrix
   std::size_t neighbours = 200;           ///< modes that are tried around a solution
   std::vector<double> start = {};         ///< initial x, of the problem's size; empty: no forces
 };
 
-/// A start for enclose_solution: contacts are solved one after the other, each for itself, until they agree (a
-/// projected Gauss-Seidel iteration on the Delassus matrix, as NSGS does it), by the cone, the associated law or fixed
-/// bounds. Nothing is promised. Empty where the free
-/// rows cannot be eliminated or the problem is too large.
+/// A start for enclose_solution: by sweeps over the contacts and Newton's method (sweeps.hpp), with the Delassus
+/// matrix. Nothing is promised. Empty where the free rows cannot be eliminated or the problem is too large.
 std::vector<double> approximate_solution(const MixedProblem& problem, const FindOptions& options = {});
 
 /// Whether this iteration comes near a solution from a start, to a backward error of the tolerance: then multipliers

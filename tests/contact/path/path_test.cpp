@@ -73,7 +73,7 @@ TEST_CASE("bodies on too many points: solutions are enclosed, and two checkers a
   for (std::uint64_t i = 0; i < 12; ++i) {
     Dice dice(77, i);
     const MixedProblem p = body_on_floor(dice, static_cast<std::size_t>(dice.number(4, 6)));
-    const std::vector<double> x = approximate_solution(p, {.sweeps = 4000});
+    const std::vector<double> x = approximate_solution(p);
     const ContactJudgement j = judge_contacts(p, x, {}, {});
     CAPTURE(i);
     CAPTURE(j.reason);
@@ -90,6 +90,18 @@ TEST_CASE("bodies on too many points: solutions are enclosed, and two checkers a
   MESSAGE("found " << found << ", far " << far);
   CHECK(found >= 6);
   CHECK(far >= 3);
+}
+
+TEST_CASE("bodies on too many points: what is found without an answer is right up to rounding") {
+  int right = 0;
+  for (std::uint64_t i = 0; i < 40; ++i) {
+    Dice dice(78, i);
+    const MixedProblem p = body_on_floor(dice, static_cast<std::size_t>(dice.number(4, 9)));
+    const std::vector<double> x = approximate_solution(p);
+    REQUIRE(x.size() == p.size());
+    right += residual(p, x, exact_rows(p, x)).backward_error() <= 1e-13;
+  }
+  CHECK(right >= 38);
 }
 
 TEST_CASE("a certificate whose velocities are claimed too near is refused, by both") {
@@ -123,7 +135,7 @@ TEST_CASE("a real problem: OneObject of Siconos, whose solution is elsewhere") {
   const auto file = shared / "siconos/OneObject-i1028-138.hdf5.dat";
   if (!std::filesystem::exists(file)) return;
   const MixedProblem p = coulomb_problem(read_problem_file(file.string()).problem);
-  const std::vector<double> x = approximate_solution(p, {.sweeps = 20000});
+  const std::vector<double> x = approximate_solution(p);
   const ContactJudgement j = judge_contacts(p, x, {}, {});
   CHECK(j.verdict == ContactVerdict::velocities_of_a_solution);
   CHECK(j.eta < 1e-13);
