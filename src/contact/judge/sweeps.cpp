@@ -288,11 +288,12 @@ std::vector<double> swept_in(const MixedProblem& problem, const std::vector<doub
   std::optional<ContactNewton> newton;
   if (problem.is_coulomb() && problem.size() <= ContactNewton::most) newton.emplace(problem);
   Eigen::VectorXd r = Eigen::Map<const Eigen::VectorXd>(start.data(), static_cast<Eigen::Index>(start.size()));
+  constexpr int most_attempts = 4;
   constexpr std::array<std::size_t, 5> depths{10, 5, 20, 3, 40};
   for (int i = 0; i < rounds; ++i) {
     const Round<size> round(sweeps, r, depths[static_cast<std::size_t>(i) % depths.size()], i % 2 == 0 ? 4 : 1.5);
     r = round.r;
-    if (round.agreed || (newton && newton->solve(r, i))) break;
+    if (round.agreed || (newton && i < most_attempts && newton->solve(r, i))) break;
   }
   return {r.data(), r.data() + r.size()};
 }

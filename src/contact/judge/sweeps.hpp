@@ -11,7 +11,7 @@ namespace slipproof {
 /// iteration, as NSGS does it. One contact is solved exactly by Coulomb's law (lift, stick, or a slip whose direction
 /// is a root in one angle), by iteration under the associated law and fixed bounds. Sweeps converge slowly where forces
 /// are redundant, so a point is extrapolated from the last few of them (Anderson's acceleration), which is begun again
-/// where sweeps alone would do better; and after each round of 400 sweeps Newton's method is tried
+/// where sweeps alone would do better; and after each of the first rounds of 400 sweeps Newton's method is tried
 /// (contact_newton.hpp). Nothing is promised of the result, which may be not finite.
 ///
 /// `problem` has no free unknowns; `r` is the start. Ends after so many rounds, or when all contacts agree up to
