@@ -13,11 +13,11 @@ namespace {
 using Index = Eigen::Index;
 
 /// A contact's z = r - h u, and what that makes of it.
-struct Trial {
+struct ContactTrial {
   double normal, length, bound;
   Eigen::VectorXd direction;  ///< of z_T, where it slips
 
-  Trial(const Eigen::VectorXd& r, const Eigen::VectorXd& u, Index first, Index size, double h, double mu)
+  ContactTrial(const Eigen::VectorXd& r, const Eigen::VectorXd& u, Index first, Index size, double h, double mu)
       : normal(r[first] - h * u[first]), bound(mu * normal) {
     direction = r.segment(first + 1, size - 1) - h * u.segment(first + 1, size - 1);
     length = direction.norm();
@@ -51,7 +51,7 @@ double ContactNewton::error(const Eigen::VectorXd& r, Eigen::VectorXd& equations
   equations = u;
   for (std::size_t k = 0; k < h_.size(); ++k) {
     const Index first = static_cast<Index>(k) * size;
-    const Trial z(r, u, first, size, h_[k], problem_.mu[k]);
+    const ContactTrial z(r, u, first, size, h_[k], problem_.mu[k]);
     if (z.open()) {
       equations.segment(first, size) = r.segment(first, size) / h_[k];
     } else if (!z.sticks()) {
@@ -68,7 +68,7 @@ Eigen::VectorXd ContactNewton::step(const Eigen::VectorXd& r, const Eigen::Vecto
   for (std::size_t k = 0; k < h_.size(); ++k) {
     const Index first = static_cast<Index>(k) * size, tangents = size - 1;
     const double mu = problem_.mu[k], h = h_[k];
-    const Trial z(r, u, first, size, h, mu);
+    const ContactTrial z(r, u, first, size, h, mu);
     if (z.open()) {
       J.middleRows(first, size).setZero();
       J.block(first, first, size, size).diagonal().setConstant(1 / h);
