@@ -6,7 +6,7 @@
 #include "base/number/dice.hpp"
 #include "contact/enclosure/known_problem.hpp"
 #include "contact/exact/exact_lcp.hpp"
-#include "contact/judge/find.hpp"
+#include "contact/judge/find/find.hpp"
 #include "contact/judge/judge.hpp"
 
 namespace {

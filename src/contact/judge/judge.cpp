@@ -11,7 +11,7 @@
 #include "contact/exact/border.hpp"
 #include "contact/exact/exact_lcp.hpp"
 #include "contact/exact/no_solution.hpp"
-#include "contact/judge/find.hpp"
+#include "contact/judge/find/find.hpp"
 #include "contact/judge/others.hpp"
 #include "contact/judge/small.hpp"
 #include "contact/path/solve.hpp"

@@ -13,7 +13,7 @@
 #include "contact/exact/exact_lcp.hpp"
 #include "contact/formats/problem_check.hpp"
 #include "contact/judge/all_solutions_json.hpp"
-#include "contact/judge/find.hpp"
+#include "contact/judge/find/find.hpp"
 
 namespace slipproof {
 

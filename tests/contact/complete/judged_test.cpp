@@ -6,7 +6,7 @@
 #include "base/algebra/sparse_matrix.hpp"
 #include "contact/formats/read_files.hpp"
 #include "contact/judge/certificate.hpp"
-#include "contact/judge/find.hpp"
+#include "contact/judge/find/find.hpp"
 #include "contact/judge/judge.hpp"
 #include "proofs/check_contact/check_contact.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "contact/judge/find.hpp"
+#include "contact/judge/find/find.hpp"
 
 using namespace slipproof;
 

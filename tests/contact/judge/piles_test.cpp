@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "contact/judge/certificate.hpp"
-#include "contact/judge/find.hpp"
+#include "contact/judge/find/find.hpp"
 #include "contact/judge/judge.hpp"
 #include "proofs/check_contact/record.hpp"
 

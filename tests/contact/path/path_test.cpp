@@ -9,7 +9,7 @@
 #include "contact/convex/second_reading.hpp"
 #include "contact/formats/read_files.hpp"
 #include "contact/judge/certificate.hpp"
-#include "contact/judge/find.hpp"
+#include "contact/judge/find/find.hpp"
 #include "contact/judge/judge.hpp"
 #include "contact/path/long_box.hpp"
 #include "contact/path/solve.hpp"

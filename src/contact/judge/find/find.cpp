@@ -1,4 +1,4 @@
-#include "contact/judge/find.hpp"
+#include "contact/judge/find/find.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include "base/parallel/stop.hpp"
 #include "contact/enclosure/answer.hpp"
 #include "contact/enclosure/residual.hpp"
-#include "contact/judge/sweeps.hpp"
+#include "contact/judge/find/sweeps.hpp"
 
 namespace slipproof {
 

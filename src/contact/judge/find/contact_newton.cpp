@@ -1,4 +1,4 @@
-#include "contact/judge/contact_newton.hpp"
+#include "contact/judge/find/contact_newton.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

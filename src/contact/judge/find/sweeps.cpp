@@ -1,4 +1,4 @@
-#include "contact/judge/sweeps.hpp"
+#include "contact/judge/find/sweeps.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "base/parallel/stop.hpp"
-#include "contact/judge/contact_newton.hpp"
+#include "contact/judge/find/contact_newton.hpp"
 
 namespace slipproof {
 
