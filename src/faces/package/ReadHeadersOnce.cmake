@@ -8,10 +8,11 @@ if(SLIPPROOF_READ_HEADERS_ONCE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options(--param=ggc-min-heapsize=1048576)
 endif()
 
-# gold, which Debian's binutils have, links in less than half the time of the usual linker.
+# gold, which Debian's binutils have, links programs in less than half the time of the usual linker. Of shared libraries
+# it keeps the names of what is local.
 find_program(SLIPPROOF_GOLD ld.gold)
 if(SLIPPROOF_READ_HEADERS_ONCE AND SLIPPROOF_GOLD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  add_link_options(-fuse-ld=gold)
+  string(APPEND CMAKE_EXE_LINKER_FLAGS " -fuse-ld=gold")
 endif()
 
 function(slipproof_precompile target)  # slipproof_precompile(TARGET [HEADER...]): those and the common ones
