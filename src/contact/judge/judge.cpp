@@ -166,10 +166,7 @@ class ContactCase {
     if (!found.continua.empty()) {
       for (auto& z : found.continua.front().two(effort_)) others.push_back(std::move(z));
     }
-    const std::vector<Rational> w = accelerations(small.problem, nearest);  // solutions with one motion are one
-    const auto other =
-        std::ranges::find_if(others, [&](const auto& z) { return accelerations(small.problem, z) != w; });
-    if (!found.continua.empty()) j_.undetermined = found.continua.front().directions.size();
+    const auto other = std::ranges::find_if(others, [&](const auto& z) { return z != nearest; });
     if (other != others.end()) j_.other_exact = small.with_free(*other);
   }
 

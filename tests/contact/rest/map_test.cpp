@@ -46,14 +46,15 @@ bool can_rest(MechanismScene scene, const RestMap& map, const Rational& x, const
   return find_rest(scene).decision.can == true;
 }
 
-std::string body(const std::string& at, const std::string& more) {
+std::string loaded_body(const std::string& at, const std::string& more) {
   return "[[body]]\nname = \"b\"\nmass = \"1\"\ninertia = \"1\"\nat = [" + at + "]\n" + more;
 }
-std::string touch(const std::string& name, const std::string& point, const std::string& normal, const std::string& mu) {
+std::string loaded_touch(const std::string& name, const std::string& point, const std::string& normal,
+                         const std::string& mu) {
   return "[[contact]]\nname = \"" + name + "\"\nof = \"b\"\npoint = [" + point + "]\nnormal = [" + normal +
          "]\nthrough = [\"0\", \"0\"]\nfriction = \"" + mu + "\"\n";
 }
-std::string push(const std::string& at, const std::string& is) {
+std::string two_loads(const std::string& at, const std::string& is) {
   return "[[force]]\non = \"b\"\nat = [" + at + "]\nis = [" + is + "]\n";
 }
 
@@ -85,7 +86,7 @@ TEST_CASE("a cube pushed by two forces at its base rests in a disc of radius mu 
     text += "[[contact]]\nname = \"c" + std::to_string(++number) + "\"\nof = \"b\"\npoint = [" + corner +
             "]\nnormal = [\"0\", \"0\", \"1\"]\nthrough = [\"0\", \"0\", \"0\"]\nfriction = \"1/2\"\n";
   }
-  const RestMap map = map_of(loaded_scene(text + push(R"("0", "0", "-1")", R"("X", "Y", "0")"), true));
+  const RestMap map = map_of(loaded_scene(text + two_loads(R"("0", "0", "-1")", R"("X", "Y", "0")"), true));
   CHECK(map.decided);
   CHECK(map.gap < 0.01);
   CHECK(map.inside.size() > 8);
@@ -100,9 +101,9 @@ TEST_CASE("a region without end is cut by a frame") {
   // pane, Y presses its head down. The pane pushes (15 + 3 Y + 2 X)/4 >= 0; the foot slips beyond Y - 2 X = 5 and
   // beyond 2 X - 5 Y = 35.
   const MechanismScene scene =
-      loaded_scene(body(R"("-3/2", "2")", "") + touch("foot", R"("-3/2", "-2")", R"("0", "1")", "1/2") +
-                   touch("head", R"("3/2", "2")", R"("-1", "0")", "0") + push(R"("0", "0")", R"("X", "0")") +
-                   push(R"("3/2", "2")", R"("0", "-Y")"));
+      loaded_scene(loaded_body(R"("-3/2", "2")", "") + loaded_touch("foot", R"("-3/2", "-2")", R"("0", "1")", "1/2") +
+                   loaded_touch("head", R"("3/2", "2")", R"("-1", "0")", "0") +
+                   two_loads(R"("0", "0")", R"("X", "0")") + two_loads(R"("3/2", "2")", R"("0", "-Y")"));
   const RestMap map = map_of(scene);
   CHECK(map.exact);
   CHECK(map.borders.size() == 3);
@@ -117,13 +118,13 @@ TEST_CASE("a region without end is cut by a frame") {
 }
 
 TEST_CASE("a region may be a line, or nothing") {
-  const std::string on_ice = body(R"("0", "0")", "") + touch("ice", R"("0", "0")", R"("0", "1")", "0");
-  const RestMap line = map_of(loaded_scene(on_ice + push(R"("0", "0")", R"("X", "Y")")));  // X = 0 and Y <= 10
+  const std::string on_ice = loaded_body(R"("0", "0")", "") + loaded_touch("ice", R"("0", "0")", R"("0", "1")", "0");
+  const RestMap line = map_of(loaded_scene(on_ice + two_loads(R"("0", "0")", R"("X", "Y")")));  // X = 0 and Y <= 10
   CHECK(line.exact);
   REQUIRE(line.inside.size() == 2);
   CHECK(corners(line)[1] == Loads{0, 10});
   CHECK(line.y_frame.from);
-  const RestMap nothing = map_of(loaded_scene(on_ice + push(R"("0", "0")", R"("1", "X + Y")")));
+  const RestMap nothing = map_of(loaded_scene(on_ice + two_loads(R"("0", "0")", R"("1", "X + Y")")));
   CHECK(nothing.none);
   CHECK(nothing.inside.empty());
   REQUIRE(nothing.borders.size() == 1);
@@ -131,10 +132,10 @@ TEST_CASE("a region may be a line, or nothing") {
 }
 
 TEST_CASE("what is no load has no map") {
-  const std::string on_ice = body(R"("0", "0")", "") + touch("ice", R"("0", "0")", R"("0", "1")", "0");
-  const MechanismScene both = loaded_scene(on_ice + push(R"("0", "0")", R"("X*Y", "0")"));
+  const std::string on_ice = loaded_body(R"("0", "0")", "") + loaded_touch("ice", R"("0", "0")", R"("0", "1")", "0");
+  const MechanismScene both = loaded_scene(on_ice + two_loads(R"("0", "0")", R"("X*Y", "0")"));
   CHECK_THROWS_AS(map_of(both), InputError);
-  const MechanismScene squared = loaded_scene(on_ice + push(R"("0", "0")", R"("X^2", "Y")"));
+  const MechanismScene squared = loaded_scene(on_ice + two_loads(R"("0", "0")", R"("X^2", "Y")"));
   CHECK_THROWS_AS(map_of(squared), InputError);
   CHECK_THROWS_AS(map_of(squared, "Y", "Y"), InputError);
 }

@@ -22,7 +22,7 @@ inertia = ["1", "1", "1"]
 at = ["0", "0", "1"]
 )";
 
-const std::string standing = test::standing("foot", "block", R"("0", "0", "-1")", "1/2");
+const std::string on_a_foot = test::standing("foot", "block", R"("0", "0", "-1")", "1/2");
 
 std::string joined(const std::string& name, const std::string& kind, const std::string& on, const std::string& rest) {
   return "\n[[joint]]\nname = \"" + name + "\"\nkind = \"" + kind + "\"\nbetween = [\"" + on + "\", \"block\"]\n" +
@@ -48,32 +48,32 @@ bool is_refused(const std::string& bodies, const std::string& because) {
 }  // namespace
 
 TEST_CASE("mistakes in bodies in space are told") {
-  CHECK(refusal_in_space(cube + standing) == "accepted");
-  CHECK(is_refused(cube + "turn = [\"0\", \"0\", \"0\", \"0\"]\n" + standing, "quaternion of length 0"));
-  CHECK(is_refused(cube + "turn = [\"1\", \"0\", \"0\"]\n" + standing, "turn: expected a quaternion w x y z"));
-  CHECK(is_refused(replaced(cube, R"(["1", "1", "1"])", R"("1")") + standing,
+  CHECK(refusal_in_space(cube + on_a_foot) == "accepted");
+  CHECK(is_refused(cube + "turn = [\"0\", \"0\", \"0\", \"0\"]\n" + on_a_foot, "quaternion of length 0"));
+  CHECK(is_refused(cube + "turn = [\"1\", \"0\", \"0\"]\n" + on_a_foot, "turn: expected a quaternion w x y z"));
+  CHECK(is_refused(replaced(cube, R"(["1", "1", "1"])", R"("1")") + on_a_foot,
                    "inertia: expected three numbers xx yy zz"));
-  CHECK(is_refused(replaced(cube, R"("1", "1", "1")", R"("1", "1", "3")") + standing,
+  CHECK(is_refused(replaced(cube, R"("1", "1", "1")", R"("1", "1", "3")") + on_a_foot,
                    "found the moment of inertia zz larger than the other two together"));
-  CHECK(is_refused(replaced(cube, R"("1", "1", "1")", R"("1", "1", "1", "9/10", "0", "0")") + standing,
+  CHECK(is_refused(replaced(cube, R"("1", "1", "1")", R"("1", "1", "1", "9/10", "0", "0")") + on_a_foot,
                    "products of inertia that are too large"));
-  CHECK(is_refused(replaced(cube, R"("0", "0", "1")", R"("0", "1")") + standing, "at: expected three coordinates"));
-  CHECK(
-      is_refused(cube + "velocity = [\"0\", \"0\", \"-1\"]\n" + standing, "approach the surface with the velocity -1"));
-  CHECK(is_refused(cube + replaced(standing, R"("0", "0", "1")", R"("0", "1", "1")"), "expected one of length 1"));
-  CHECK(is_refused(cube + standing + "tangent = [\"1\", \"0\", \"1\"]\n", "expected one of length 1"));
-  CHECK(is_refused(cube + standing + "state = \"slides+\"\n", "did you mean 'slides'?"));
-  CHECK(is_refused(cube + standing + joined("pin", "pin", "ground", "at = [\"0\", \"0\", \"0\"]"),
+  CHECK(is_refused(replaced(cube, R"("0", "0", "1")", R"("0", "1")") + on_a_foot, "at: expected three coordinates"));
+  CHECK(is_refused(cube + "velocity = [\"0\", \"0\", \"-1\"]\n" + on_a_foot,
+                   "approach the surface with the velocity -1"));
+  CHECK(is_refused(cube + replaced(on_a_foot, R"("0", "0", "1")", R"("0", "1", "1")"), "expected one of length 1"));
+  CHECK(is_refused(cube + on_a_foot + "tangent = [\"1\", \"0\", \"1\"]\n", "expected one of length 1"));
+  CHECK(is_refused(cube + on_a_foot + "state = \"slides+\"\n", "did you mean 'slides'?"));
+  CHECK(is_refused(cube + on_a_foot + joined("pin", "pin", "ground", "at = [\"0\", \"0\", \"0\"]"),
                    "unknown kind of joint 'pin'"));
-  CHECK(is_refused(cube + standing + joined("axle", "hinge", "ground", "at = [\"0\", \"0\", \"0\"]"), "missing axis"));
+  CHECK(is_refused(cube + on_a_foot + joined("axle", "hinge", "ground", "at = [\"0\", \"0\", \"0\"]"), "missing axis"));
 }
 
 TEST_CASE("what no contact problem in space says is refused") {
-  CHECK(is_refused(cube + standing + "bilateral = true\n", "a guide with friction"));
-  CHECK(is_refused(cube + replaced(standing, "\"1/2\"", "{ static = \"1/2\", kinetic = \"1/3\" }"),
+  CHECK(is_refused(cube + on_a_foot + "bilateral = true\n", "a guide with friction"));
+  CHECK(is_refused(cube + replaced(on_a_foot, "\"1/2\"", "{ static = \"1/2\", kinetic = \"1/3\" }"),
                    "static coefficient of its own"));
   CHECK(is_refused(
-      "load = { symbol = \"F\" }\n" + cube + standing + "[[force]]\non = \"block\"\nis = [\"F\", \"0\", \"0\"]\n",
+      "load = { symbol = \"F\" }\n" + cube + on_a_foot + "[[force]]\non = \"block\"\nis = [\"F\", \"0\", \"0\"]\n",
       "found no value of the load F"));
   const std::string lift = "[[body]]\nname = \"lift\"\nacceleration = [\"0\", \"0\", \"1\"]\n";
   CHECK(is_refused(lift + cube + joined("a", "ball", "ground", "at = [\"0\", \"0\", \"1\"]") +
@@ -118,7 +118,7 @@ TEST_CASE("an angle gives a sliding velocity its direction") {
   const std::string text =
       "angles = { theta = { cos = \"c\", sin = \"s\", domain = \"c > 0\" } }\n"
       "parameters = { v = \"v > 0\" }\n" +
-      cube + "velocity = [\"v*c\", \"v*s\", \"0\"]\n" + standing;
+      cube + "velocity = [\"v*c\", \"v*s\", \"0\"]\n" + on_a_foot;
   const Mechanism mechanism = parse_mechanism(
       "schema = \"slipproof/mechanism/1\"\nname = \"slides\"\ndimension = 3\ngravity = [\"0\", \"0\", \"-10\"]\n" +
           text,
