@@ -32,6 +32,8 @@ void read_mode(const BodyTable& in, std::string_view key) {
   one = {std::move(modes.front())};
   if (in.body.kind->is_linear() && std::find(one[0].begin(), one[0].end(), ElementState::lift) != one[0].end()) {
     in.table.refuse(key, "expected a mode in which no contact lifts");
+  } else if (in.body.kind->is_linear() && !has_mode(in.in_setting()->kinds(), one[0])) {
+    in.table.refuse(key, "expected a mode in which no contact slips from rest in space: its direction is not known");
   }
 }
 

@@ -151,6 +151,7 @@ bool LineMechanism::add_mode(const MechanismMode& mode, const std::vector<std::s
   if (!in_every_mode().solvable()) return false;
   std::vector<PolynomialRow> equations, conditions;
   for (std::size_t i = 0; i < mode.size(); ++i) {
+    if (mode[i] == ElementState::slip && !has_state(system_->elements[i].kind, mode[i])) return false;  // no equations
     const StateRows& rows = rows_of(i, mode[i]);
     equations.insert(equations.end(), rows.equations.begin(), rows.equations.end());
     conditions.insert(conditions.end(), rows.conditions.begin(), rows.conditions.end());
