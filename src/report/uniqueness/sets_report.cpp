@@ -28,7 +28,7 @@ std::string value_text(const Axis& axis, const Rational& x, int digits) {
     const MechanismValues::Circle at = point_of_tan_half(x);
     return decimal_text(degrees_of_direction(at.cosine, at.sine, 12).first, digits) + " degrees";
   }
-  return number_text(x, digits) + (axis.unit.empty() || axis.unit == "1" ? "" : " " + axis.unit);
+  return short_text(x, digits) + (axis.unit.empty() || axis.unit == "1" ? "" : " " + axis.unit);
 }
 
 }  // namespace

@@ -16,12 +16,6 @@ namespace slipproof {
 
 namespace {
 
-/// A short number exactly, a longer one as a decimal.
-std::string short_text(const Rational& x, int digits) {
-  const std::string exact = exact_text(x);
-  return exact.size() <= 8 ? exact : decimal_text(x, digits);
-}
-
 /// An irrational number is given by the two rational numbers that enclose it.
 std::string end_text(const std::optional<RealRoot>& end, int digits) {
   if (!end) return "oo";

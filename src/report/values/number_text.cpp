@@ -29,4 +29,9 @@ std::string interval_text(std::string_view symbol, const ForceInterval& i, int d
                      end(i.upper(), "+oo", digits), i.upper_closed() ? ']' : ')');
 }
 
+std::string short_text(const Rational& x, int digits) {
+  const std::string exact = exact_text(x);
+  return exact.size() <= 8 ? exact : decimal_text(x, digits);
+}
+
 }  // namespace slipproof

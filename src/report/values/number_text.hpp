@@ -15,4 +15,7 @@ std::string number_text(const Rational& x, int digits);
 /// `[0.5, 3.33333)`; for a point `F = 0.5`.
 std::string interval_text(std::string_view symbol, const ForceInterval& interval, int digits);
 
+/// A short number exactly, a longer one as a decimal.
+std::string short_text(const Rational& x, int digits);
+
 }  // namespace slipproof
