@@ -15,6 +15,7 @@
 #include "base/number/parse.hpp"
 #include "contact/exchange/export_scene.hpp"
 #include "contact/exchange/space_mechanism.hpp"
+#include "contact/imported/in_binary64.hpp"
 #include "contact/imported/mujoco_state.hpp"
 #include "contact/imported/read_scene.hpp"
 #include "mechanics/bodies/bodies.hpp"
@@ -25,6 +26,7 @@ using namespace slipproof;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
+using test::dense;
 using test::Theirs;
 
 namespace {
@@ -38,21 +40,6 @@ struct Ours {
   MatrixXd M, H, G;
   VectorXd f, b;
 };
-
-MatrixXd dense(const RationalMatrix& matrix, Eigen::Index rows) {
-  MatrixXd result(rows, matrix.empty() ? 0 : static_cast<Eigen::Index>(matrix[0].size()));
-  for (Eigen::Index i = 0; i < result.rows() && result.cols() > 0; ++i) {
-    for (Eigen::Index j = 0; j < result.cols(); ++j) {
-      result(i, j) = nearest_binary64(matrix[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]);
-    }
-  }
-  return result;
-}
-VectorXd dense(const std::vector<Rational>& vector) {
-  VectorXd result(static_cast<Eigen::Index>(vector.size()));
-  for (Eigen::Index i = 0; i < result.size(); ++i) result(i) = nearest_binary64(vector[static_cast<std::size_t>(i)]);
-  return result;
-}
 
 /// The three numbers of a line such as `at = ["1", "0", "1/2"]`.
 Vector3d vector_in(const std::string& line) {
