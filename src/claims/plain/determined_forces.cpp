@@ -105,8 +105,7 @@ bool plainly_determine_forces(const Family& scene, const PlainSigns& signs) {
   for (const MechanismEquation& equation : mechanism.equations) {
     std::vector<Expression>& row = coefficients.emplace_back();
     for (std::size_t i = mechanism.accelerations; i < mechanism.unknowns.size(); ++i) {
-      const Expression& e = equation.form.coefficients[i];
-      row.push_back(e ? scene.in_family(e) : make_number(0));
+      row.push_back(scene.in_family(equation.form.coefficient(i)));
     }
   }
   try {

@@ -25,7 +25,8 @@ bool is_only_friction(const Mechanism& m, const std::string& name) {
     return std::ranges::find(used, name) == used.end();
   };
   const auto form_free = [&](const SymbolicForm& form) {
-    return free_of(form.load) && free_of(form.constant) && std::ranges::all_of(form.coefficients, free_of);
+    return free_of(form.load) && free_of(form.constant) &&
+           std::ranges::all_of(form.terms, [&](const auto& term) { return free_of(term.second); });
   };
   bool rubs = false;
   for (const MechanismContact& c : m.contacts) {

@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <map>
+#include <set>
 
+#include "base/algebra/union_find.hpp"
 #include "mechanics/checks/check_parts.hpp"
 #include "mechanics/checks/rigid_contacts.hpp"
 #include "mechanics/mechanism/units.hpp"
@@ -51,33 +54,32 @@ class GeometryCheck {
 
  private:
   std::vector<std::size_t> accelerations_of(const std::vector<std::size_t>& group) const {
-    std::vector<std::size_t> result;
-    for (std::size_t q = 0; q < m_.accelerations; ++q) {
-      const bool moves = std::ranges::any_of(group, [&](std::size_t i) { return moves_with(m_.contacts[i], q); });
-      if (moves) result.push_back(q);
+    std::set<std::size_t> result;
+    for (const std::size_t i : group) {
+      for (const SymbolicForm* form : {&m_.contacts[i].gap_form, &m_.contacts[i].slip_form}) {
+        for (const auto& [unknown, coefficient] : form->terms) {
+          if (unknown < m_.accelerations) result.insert(unknown);
+        }
+      }
     }
-    return result;
-  }
-  static bool moves_with(const MechanismContact& contact, std::size_t q) {
-    return !is_literal_zero(contact.gap_form.coefficients[q]) || !is_literal_zero(contact.slip_form.coefficients[q]);
+    return {result.begin(), result.end()};
   }
 
   /// Contacts with a place, a direction and friction, those that share an acceleration together.
   std::vector<std::vector<std::size_t>> groups() const {
-    std::vector<std::vector<std::size_t>> result;
+    UnionFind together(m_.accelerations + m_.contacts.size());
+    std::vector<std::size_t> drawn;
     for (std::size_t i = 0; i < m_.contacts.size(); ++i) {
       const MechanismContact& contact = m_.contacts[i];
       if (contact.at.empty() || contact.direction.empty() || !contact.tangent) continue;
-      std::vector<std::size_t> together{i};
-      std::erase_if(result, [&](const std::vector<std::size_t>& group) {
-        const auto shared = accelerations_of(group);
-        const bool joined = std::ranges::any_of(shared, [&](std::size_t q) { return moves_with(contact, q); });
-        if (joined) together.insert(together.begin(), group.begin(), group.end());
-        return joined;
-      });
-      std::ranges::sort(together);
-      result.push_back(std::move(together));
+      drawn.push_back(i);
+      for (const std::size_t q : accelerations_of({i})) together.join(q, m_.accelerations + i);
     }
+    std::map<std::size_t, std::vector<std::size_t>> members;
+    for (const std::size_t i : drawn) members[together.find(m_.accelerations + i)].push_back(i);
+    std::vector<std::vector<std::size_t>> result;
+    for (auto& [root, group] : members) result.push_back(std::move(group));
+    std::ranges::sort(result, {}, [](const std::vector<std::size_t>& group) { return group.back(); });
     return result;
   }
 

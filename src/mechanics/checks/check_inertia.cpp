@@ -145,8 +145,8 @@ class InertiaCheck {
     std::vector<std::size_t> block(n_);
     std::iota(block.begin(), block.end(), std::size_t{0});
     for (std::size_t i = 0; i < n_; ++i) {
-      for (std::size_t k = 0; k < n_; ++k) {
-        if (block[i] == block[k] || is_literal_zero(row(i).form.coefficients[k])) continue;
+      for (const auto& [k, coefficient] : row(i).form.terms) {
+        if (k >= n_ || block[i] == block[k]) continue;
         const std::size_t from = std::max(block[i], block[k]), to = std::min(block[i], block[k]);
         std::ranges::replace(block, from, to);
       }

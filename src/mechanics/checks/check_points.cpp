@@ -95,7 +95,7 @@ std::vector<std::size_t> CheckPoints::find_pushes() const {
   const auto add = [&](const SymbolicForm& form) {
     if (form.constant) constants.add(form.constant);
     if (form.load) others.add(form.load);
-    for (const Expression& coefficient : form.coefficients) others.add(coefficient);
+    for (const auto& [unknown, coefficient] : form.terms) others.add(coefficient);
   };
   for (const MechanismEquation& equation : mechanism_->equations) add(equation.form);
   for (const MechanismLink& link : mechanism_->links) add(link.form);

@@ -73,18 +73,18 @@ std::vector<const SymbolicForm*> lines_of(const Mechanism& mechanism) {
 KindSets kind_sets(const Mechanism& mechanism, const std::vector<const SymbolicForm*>& lines) {
   const std::size_t unknowns = mechanism.unknowns.size();
   KindSets sets(unknowns + lines.size());
+  std::vector<std::size_t> with_unit;
   for (std::size_t i = 0; i < unknowns; ++i) {
     const std::string& unit = mechanism.unknowns[i].unit;
     if (!unit.empty()) sets.set_unit(i, parse_unit(unit));
-    for (std::size_t j = 0; j < i; ++j) {
-      if (sets.unit(i) && sets.unit(j)) sets.join(j, i);
-    }
+    if (!sets.unit(i)) continue;
+    for (const std::size_t j : with_unit) sets.join(j, i);
+    with_unit.push_back(i);
   }
   const std::set<std::string> plain = plain_symbols(mechanism);
   for (std::size_t line = 0; line < lines.size(); ++line) {
-    for (std::size_t i = 0; i < unknowns; ++i) {
-      const Expression& coefficient = lines[line]->coefficients[i];
-      if (!is_literal_zero(coefficient) && is_plain(coefficient, plain)) sets.join(i, unknowns + line);
+    for (const auto& [i, coefficient] : lines[line]->terms) {
+      if (is_plain(coefficient, plain)) sets.join(i, unknowns + line);
     }
   }
   std::size_t line = unknowns + mechanism.equations.size() + mechanism.links.size();
@@ -127,8 +127,8 @@ MechanismKinds::MechanismKinds(const Mechanism& mechanism) : unknown_acceleratio
                                     lines.end() - static_cast<std::ptrdiff_t>(mechanism.friction.size()));
   std::set<std::size_t> with_lever;
   for (std::size_t line = 0; line < forms.size(); ++line) {
-    for (std::size_t i = 0; i < unknowns; ++i) {
-      if (is_literal_zero(forms[line]->coefficients[i]) || unknown(i) == lines[line]) continue;
+    for (const auto& [i, coefficient] : forms[line]->terms) {
+      if (unknown(i) == lines[line]) continue;
       const auto add = [&](std::map<Pair, Quotient>& to) {
         Quotient& quotient = to[{unknown(i), lines[line]}];
         quotient.kind = unknown(i);

@@ -8,7 +8,7 @@ std::vector<Expression> coefficients(const Mechanism& mechanism) {
     if (number && !is_literal_zero(number)) result.push_back(number);
   };
   const auto add_form = [&](const SymbolicForm& form) {
-    for (const Expression& coefficient : form.coefficients) add(coefficient);
+    for (const auto& [unknown, coefficient] : form.terms) add(coefficient);
     add(form.load);
     add(form.constant);
   };

@@ -3,7 +3,10 @@
 namespace slipproof {
 
 CompiledMechanism::CompiledMechanism(const Mechanism& mechanism)
-    : parameters_(mechanism.parameters.size()), angles_(mechanism.angles.size()), names_(mechanism) {
+    : parameters_(mechanism.parameters.size()),
+      angles_(mechanism.angles.size()),
+      unknowns_(mechanism.unknowns.size()),
+      names_(mechanism) {
   for (const MechanismParameter& parameter : mechanism.parameters) scope_.slots.push_back({parameter.symbol, {}});
   for (const MechanismAngle& angle : mechanism.angles) {
     scope_.slots.push_back({angle.cosine, {}});
@@ -39,7 +42,8 @@ CompiledMechanism::CompiledMechanism(const Mechanism& mechanism)
   for (const MechanismCondition& one : mechanism.realisable) realisable.push_back(compile(one.condition.expression));
   Mistakes none(mechanism.file);  // the reader has reported them
   for (const LoadBound& bound : load_bounds(mechanism, none)) {
-    load_domain.push_back({compile(SymbolicForm{{}, bound.load, bound.constant}), bound.relation});
+    // A bound has no unknowns in it, and its load comes first.
+    load_domain.push_back({compile(SymbolicForm{{}, bound.load, bound.constant}, 0), bound.relation});
   }
 }
 
@@ -63,12 +67,13 @@ Program CompiledMechanism::compile(const Expression& expression) const {
 }
 
 CompiledForm CompiledMechanism::compile(const SymbolicForm& form) const {
+  return compile(form, unknowns_);
+}
+
+CompiledForm CompiledMechanism::compile(const SymbolicForm& form, std::size_t load) const {
   CompiledForm compiled;
-  for (std::size_t i = 0; i < form.coefficients.size(); ++i) {
-    if (!is_literal_zero(form.coefficients[i])) compiled.terms.emplace_back(i, compile(form.coefficients[i]));
-  }
-  // A bound has no unknowns in it, and its load comes first.
-  if (!is_literal_zero(form.load)) compiled.terms.emplace_back(form.coefficients.size(), compile(form.load));
+  for (const auto& [unknown, coefficient] : form.terms) compiled.terms.emplace_back(unknown, compile(coefficient));
+  if (!is_literal_zero(form.load)) compiled.terms.emplace_back(load, compile(form.load));
   if (!is_literal_zero(form.constant)) compiled.constant = compile(form.constant);
   return compiled;
 }

@@ -82,7 +82,9 @@ class CompiledMechanism {
   std::vector<CompiledBound> load_domain;
 
  private:
-  std::size_t parameters_, angles_;
+  CompiledForm compile(const SymbolicForm& form, std::size_t load) const;
+
+  std::size_t parameters_, angles_, unknowns_;
   MechanismNames names_;
   Scope scope_;
 };

@@ -141,10 +141,13 @@ Linear Extraction::linear(const Expression& expression) const {
 }
 
 SymbolicForm Extraction::form(const Linear& linear) const {
-  SymbolicForm form{std::vector<Expression>(mechanism_.unknowns.size(), zero_literal()), zero_literal(),
-                    linear.constant};
+  SymbolicForm form{{}, zero_literal(), linear.constant};
   for (const auto& [variable, coefficient] : linear.terms) {
-    (variable == mechanism_.unknowns.size() ? form.load : form.coefficients[variable]) = coefficient;
+    if (variable == mechanism_.unknowns.size()) {
+      form.load = coefficient;
+    } else if (!is_literal_zero(coefficient)) {
+      form.terms.emplace_back(variable, coefficient);
+    }
   }
   return form;
 }

@@ -134,18 +134,26 @@ class FormsOfMechanism {
       if (vanishes(mechanism_.energy_slopes.back().constant)) continue;
       return refuse(energy.expression, "found a term that is linear in " + velocity);
     }
-    const auto is_zero = [](const SymbolicForm& slope) { return std::ranges::all_of(slope.coefficients, vanishes); };
+    const auto is_zero = [](const SymbolicForm& slope) {
+      return std::ranges::all_of(slope.terms, vanishes, &std::pair<std::size_t, Expression>::second);
+    };
     if (std::ranges::all_of(mechanism_.energy_slopes, is_zero)) refuse(energy.expression, "found no velocity");
   }
 
   SymbolicForm difference(const SymbolicForm& x, const SymbolicForm& y) const {
     const auto minus = [&](const Expression& a, const Expression& b) {
-      if (is_literal_zero(a) && is_literal_zero(b)) return a;  // most of them
       return difference_of(a, b, [this](const Expression& e) { return extraction_.divides_by_nothing(e); });
     };
     SymbolicForm result{{}, minus(x.load, y.load), minus(x.constant, y.constant)};
-    for (std::size_t i = 0; i < x.coefficients.size(); ++i) {
-      result.coefficients.push_back(minus(x.coefficients[i], y.coefficients[i]));
+    auto first = x.terms.begin(), second = y.terms.begin();
+    while (first != x.terms.end() || second != y.terms.end()) {
+      const bool mine = second == y.terms.end() || (first != x.terms.end() && first->first <= second->first);
+      const bool other = first == x.terms.end() || (second != y.terms.end() && second->first <= first->first);
+      const std::size_t unknown = mine ? first->first : second->first;
+      Expression rest = minus(mine ? first->second : zero_literal(), other ? second->second : zero_literal());
+      if (!is_literal_zero(rest)) result.terms.emplace_back(unknown, std::move(rest));
+      if (mine) ++first;
+      if (other) ++second;
     }
     return result;
   }
@@ -154,8 +162,8 @@ class FormsOfMechanism {
   void find_work() {
     work_.resize(mechanism_.equations.size());
     const auto add = [&](const SymbolicForm& motion, std::size_t force) {
-      for (std::size_t i = 0; i < std::min(work_.size(), motion.coefficients.size()); ++i) {
-        if (!is_literal_zero(motion.coefficients[i])) work_[i].emplace_back(motion.coefficients[i], force);
+      for (const auto& [unknown, coefficient] : motion.terms) {
+        if (unknown < work_.size()) work_[unknown].emplace_back(coefficient, force);
       }
     };
     for (const MechanismContact& contact : mechanism_.contacts) {

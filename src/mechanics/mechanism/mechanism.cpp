@@ -1,5 +1,6 @@
 #include "mechanics/mechanism/mechanism.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "base/input/diagnostic.hpp"
@@ -109,6 +110,12 @@ std::vector<ElementKind> element_kinds(const Mechanism& mechanism) {
 
 Expression drag_factor(const MechanismContact& contact, const PlacedExpression& along) {
   return product_of(contact.kinetic_friction.expression, along.expression);
+}
+
+const Expression& SymbolicForm::coefficient(std::size_t unknown) const {
+  static const Expression zero = zero_literal();
+  const auto at = std::ranges::lower_bound(terms, unknown, {}, &std::pair<std::size_t, Expression>::first);
+  return at != terms.end() && at->first == unknown ? at->second : zero;
 }
 
 bool is_literal_zero(const Expression& expression) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/expression/expression.hpp"
@@ -27,12 +28,14 @@ struct PlacedExpression {
   Place place(const Expression& part) const { return text.at(part->column == 0 ? 0 : part->column - 1); }
 };
 
-/// constant + load * (the load) + the sum of coefficients[i] * x_i over the unknowns of the mechanism, in their order.
-/// Coefficients are expressions in parameters, definitions and angle symbols. None is null; absent ones are the literal
-/// 0.
+/// constant + load * (the load) + the sum of terms over unknowns of the mechanism. Coefficients are expressions in
+/// parameters, definitions and angle symbols. None is null; absent ones are the literal 0.
 struct SymbolicForm {
-  std::vector<Expression> coefficients;
+  std::vector<std::pair<std::size_t, Expression>> terms;  ///< by unknown, in ascending order; none is the literal 0
   Expression load, constant;
+
+  /// Of an unknown; the literal 0 where there is no term.
+  const Expression& coefficient(std::size_t unknown) const;
 };
 
 struct MechanismParameter {

@@ -2,6 +2,7 @@
 // at all of them, or for joints of wheels at half. It speaks of the places of contacts, joints and forces and of
 // outlines that are convex; where a body has none, its points stand for it.
 #include <algorithm>
+#include <map>
 
 #include "mechanics/checks/check_parts.hpp"
 #include "mechanics/checks/drawing/drawing.hpp"
@@ -54,14 +55,41 @@ class DrawingCheck {
 
  private:
   void surfaces() {
-    for (std::size_t i = 0; i < scene_.contacts.size(); ++i) {
-      for (std::size_t k = 0; k < i; ++k) same_place(scene_.contacts[k], scene_.contacts[i]);
-      sides(scene_.contacts[i]);
-      end_of_face(scene_.contacts[i]);
+    std::map<std::pair<std::size_t, std::size_t>, std::vector<const BodyContact*>> before;
+    for (const BodyContact& contact : scene_.contacts) {
+      std::vector<const BodyContact*>& between = before[{contact.of, contact.on}];
+      for (const BodyContact* other : between) same_place(*other, contact);
+      between.push_back(&contact);
+      sides(contact);
+      end_of_face(contact);
     }
-    for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
-      for (std::size_t k = 0; k < i; ++k) in_each_other(k, i);
+    for (const auto& [second, first] : close_bodies()) in_each_other(first, second);
+  }
+
+  /// Pairs of bodies whose boxes have more in common than a border, the later body first. In the order of x only those
+  /// that are side by side there are compared.
+  std::vector<std::pair<std::size_t, std::size_t>> close_bodies() const {
+    std::vector<std::pair<Box, std::size_t>> boxes;
+    for (std::size_t body = 0; !drawings_.empty() && body < scene_.bodies.size(); ++body) {
+      if (!drawings_[0].is_convex(body)) continue;
+      const Outline& outline = drawings_[0].outlines(body)[0];
+      Box box(outline.corners[0]);
+      for (const Spot& corner : outline.corners) box.take(corner, outline.radius);
+      boxes.emplace_back(box, body);
     }
+    std::ranges::stable_sort(boxes, {}, [](const auto& one) { return one.first.low.x; });
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    for (auto one = boxes.begin(); one != boxes.end(); ++one) {
+      for (auto other = one + 1; other != boxes.end() && other->first.low.x < one->first.high.x; ++other) {
+        const auto common = [&](std::size_t axis) {
+          return other->first.low[axis] < one->first.high[axis] && one->first.low[axis] < other->first.high[axis];
+        };
+        if (!common(1) || (scene_.dimension == 3 && !common(2))) continue;
+        pairs.emplace_back(std::max(one->second, other->second), std::min(one->second, other->second));
+      }
+    }
+    std::ranges::sort(pairs);
+    return pairs;
   }
 
   template <class Holds>
@@ -81,7 +109,7 @@ class DrawingCheck {
   const std::string& name(std::size_t body) const { return scene_.bodies[body].name; }
 
   void same_place(const BodyContact& a, const BodyContact& b) {
-    if (a.of != b.of || a.on != b.on || a.on_radius || b.on_radius) return;
+    if (a.on_radius || b.on_radius) return;
     const auto same = [&](Drawing& d) {
       return d.touches(a) == d.touches(b) && d.direction(a.on, a.normal) == d.direction(b.on, b.normal);
     };
