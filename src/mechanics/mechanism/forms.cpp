@@ -1,6 +1,8 @@
 #include "mechanics/mechanism/forms.hpp"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <utility>
 
 #include "mechanics/mechanism/algebra.hpp"
@@ -145,15 +147,12 @@ class FormsOfMechanism {
       return difference_of(a, b, [this](const Expression& e) { return extraction_.divides_by_nothing(e); });
     };
     SymbolicForm result{{}, minus(x.load, y.load), minus(x.constant, y.constant)};
-    auto first = x.terms.begin(), second = y.terms.begin();
-    while (first != x.terms.end() || second != y.terms.end()) {
-      const bool mine = second == y.terms.end() || (first != x.terms.end() && first->first <= second->first);
-      const bool other = first == x.terms.end() || (second != y.terms.end() && second->first <= first->first);
-      const std::size_t unknown = mine ? first->first : second->first;
-      Expression rest = minus(mine ? first->second : zero_literal(), other ? second->second : zero_literal());
+    std::map<std::size_t, std::array<Expression, 2>> terms;
+    for (const auto& [unknown, coefficient] : x.terms) terms[unknown][0] = coefficient;
+    for (const auto& [unknown, coefficient] : y.terms) terms[unknown][1] = coefficient;
+    for (const auto& [unknown, pair] : terms) {
+      Expression rest = minus(pair[0] ? pair[0] : zero_literal(), pair[1] ? pair[1] : zero_literal());
       if (!is_literal_zero(rest)) result.terms.emplace_back(unknown, std::move(rest));
-      if (mine) ++first;
-      if (other) ++second;
     }
     return result;
   }
@@ -252,62 +251,6 @@ class BoundReader {
   std::string symbol_;
 };
 
-/// Moves the conditions about the load out of the list, and returns them.
-std::vector<PlacedExpression> taken_about_load(const Extraction& extraction,
-                                               std::vector<MechanismCondition>& conditions) {
-  std::vector<PlacedExpression> taken;
-  std::vector<MechanismCondition> kept;
-  for (MechanismCondition& condition : conditions) {
-    if (extraction.has_load(condition.condition.expression)) {
-      taken.push_back(condition.condition);
-    } else {
-      kept.push_back(std::move(condition));
-    }
-  }
-  conditions = std::move(kept);
-  return taken;
-}
-
-/// Moves what the mechanism asks of the new load into the load's domain.
-void collect_load_domain(Mechanism& mechanism) {
-  const Extraction extraction(mechanism);
-  const auto take = [&](PlacedExpression& domain) {
-    if (!extraction.has_load(domain.expression)) return;
-    mechanism.load->domain.push_back(domain);
-    domain.expression = make_truth(true);
-  };
-  for (MechanismParameter& parameter : mechanism.parameters) take(parameter.domain);
-  for (MechanismAngle& angle : mechanism.angles) take(angle.domain);
-  for (PlacedExpression& condition : taken_about_load(extraction, mechanism.assume)) {
-    mechanism.load->domain.push_back(std::move(condition));
-  }
-}
-
-void load_becomes_parameter(Mechanism& mechanism) {
-  if (!mechanism.load) return;
-  MechanismLoad& old = *mechanism.load;
-  PlacedExpression domain{make_truth(true), {}};
-  for (const PlacedExpression& condition : old.domain) {
-    const bool first = domain.expression->operation == Operation::truth;
-    domain = {first ? condition.expression : make(Operation::logical_and, {domain.expression, condition.expression}),
-              condition.text};
-  }
-  mechanism.parameters.push_back({old.symbol, std::move(domain), old.unit, old.meaning, false, old.place});
-  mechanism.load.reset();
-}
-
-void parameter_becomes_load(Mechanism& mechanism, std::size_t index) {
-  MechanismParameter parameter = mechanism.parameters[index];
-  mechanism.parameters.erase(mechanism.parameters.begin() + static_cast<std::ptrdiff_t>(index));
-  for (MechanismContact& contact : mechanism.contacts) {
-    std::erase(contact.lift_needs, index);  // every motion is asked about with a value of the load
-    for (std::size_t& needed : contact.lift_needs) needed -= needed > index ? 1 : 0;
-  }
-  load_becomes_parameter(mechanism);
-  mechanism.load =
-      MechanismLoad{parameter.symbol, {parameter.domain}, parameter.unit, parameter.meaning, parameter.place};
-}
-
 }  // namespace
 
 void derive_forms(Mechanism& mechanism, Mistakes& mistakes) {
@@ -321,38 +264,6 @@ std::vector<LoadBound> load_bounds(const Mechanism& mechanism, Mistakes& mistake
     if (condition) reader.read(condition, condition.expression);
   }
   return std::move(reader.bounds);
-}
-
-Mechanism with_load(const Mechanism& mechanism, std::string_view parameter) {
-  if (mechanism.load && mechanism.load->symbol == parameter) return mechanism;
-  Mistakes mistakes(mechanism.file);
-  const auto found = std::find_if(mechanism.parameters.begin(), mechanism.parameters.end(),
-                                  [&](const MechanismParameter& p) { return p.symbol == parameter; });
-  if (found == mechanism.parameters.end()) {
-    std::vector<std::string_view> known;
-    for (const MechanismParameter& p : mechanism.parameters) known.push_back(p.symbol);
-    mistakes.add({}, unknown_name("parameter", parameter, known));
-    mistakes.refuse_if_any();
-  }
-  Mechanism changed = mechanism;
-  changed.shipped = false;  // what the tests check has its own load
-  parameter_becomes_load(changed, static_cast<std::size_t>(found - mechanism.parameters.begin()));
-  collect_load_domain(changed);
-  derive_forms(changed, mistakes);
-  load_bounds(changed, mistakes);
-  mistakes.refuse_if_any();
-  return changed;
-}
-
-Mechanism without_load(const Mechanism& mechanism) {
-  if (!mechanism.load) return mechanism;
-  Mistakes mistakes(mechanism.file);
-  Mechanism changed = mechanism;
-  changed.shipped = false;
-  load_becomes_parameter(changed);
-  derive_forms(changed, mistakes);
-  mistakes.refuse_if_any();
-  return changed;
 }
 
 }  // namespace slipproof

@@ -5,6 +5,8 @@
 
 #include "base/input/diagnostic.hpp"
 #include "mechanics/mechanism/algebra.hpp"
+#include "mechanics/mechanism/extraction.hpp"
+#include "mechanics/mechanism/forms.hpp"
 
 namespace slipproof {
 
@@ -120,6 +122,100 @@ const Expression& SymbolicForm::coefficient(std::size_t unknown) const {
 
 bool is_literal_zero(const Expression& expression) {
   return expression->operation == Operation::number && expression->number.is_zero();
+}
+
+namespace {
+
+using mechanism_forms::Extraction;
+
+/// Moves the conditions about the load out of the list, and returns them.
+std::vector<PlacedExpression> taken_about_load(const Extraction& extraction,
+                                               std::vector<MechanismCondition>& conditions) {
+  std::vector<PlacedExpression> taken;
+  std::vector<MechanismCondition> kept;
+  for (MechanismCondition& condition : conditions) {
+    if (extraction.has_load(condition.condition.expression)) {
+      taken.push_back(condition.condition);
+    } else {
+      kept.push_back(std::move(condition));
+    }
+  }
+  conditions = std::move(kept);
+  return taken;
+}
+
+/// Moves what the mechanism asks of the new load into the load's domain.
+void collect_load_domain(Mechanism& mechanism) {
+  const Extraction extraction(mechanism);
+  const auto take = [&](PlacedExpression& domain) {
+    if (!extraction.has_load(domain.expression)) return;
+    mechanism.load->domain.push_back(domain);
+    domain.expression = make_truth(true);
+  };
+  for (MechanismParameter& parameter : mechanism.parameters) take(parameter.domain);
+  for (MechanismAngle& angle : mechanism.angles) take(angle.domain);
+  for (PlacedExpression& condition : taken_about_load(extraction, mechanism.assume)) {
+    mechanism.load->domain.push_back(std::move(condition));
+  }
+}
+
+void load_becomes_parameter(Mechanism& mechanism) {
+  if (!mechanism.load) return;
+  MechanismLoad& old = *mechanism.load;
+  PlacedExpression domain{make_truth(true), {}};
+  for (const PlacedExpression& condition : old.domain) {
+    const bool first = domain.expression->operation == Operation::truth;
+    domain = {first ? condition.expression : make(Operation::logical_and, {domain.expression, condition.expression}),
+              condition.text};
+  }
+  mechanism.parameters.push_back({old.symbol, std::move(domain), old.unit, old.meaning, false, old.place});
+  mechanism.load.reset();
+}
+
+void parameter_becomes_load(Mechanism& mechanism, std::size_t index) {
+  MechanismParameter parameter = mechanism.parameters[index];
+  mechanism.parameters.erase(mechanism.parameters.begin() + static_cast<std::ptrdiff_t>(index));
+  for (MechanismContact& contact : mechanism.contacts) {
+    std::erase(contact.lift_needs, index);  // every motion is asked about with a value of the load
+    for (std::size_t& needed : contact.lift_needs) needed -= needed > index ? 1 : 0;
+  }
+  load_becomes_parameter(mechanism);
+  mechanism.load =
+      MechanismLoad{parameter.symbol, {parameter.domain}, parameter.unit, parameter.meaning, parameter.place};
+}
+
+}  // namespace
+
+Mechanism with_load(const Mechanism& mechanism, std::string_view parameter) {
+  if (mechanism.load && mechanism.load->symbol == parameter) return mechanism;
+  Mistakes mistakes(mechanism.file);
+  const auto found = std::find_if(mechanism.parameters.begin(), mechanism.parameters.end(),
+                                  [&](const MechanismParameter& p) { return p.symbol == parameter; });
+  if (found == mechanism.parameters.end()) {
+    std::vector<std::string_view> known;
+    for (const MechanismParameter& p : mechanism.parameters) known.push_back(p.symbol);
+    mistakes.add({}, unknown_name("parameter", parameter, known));
+    mistakes.refuse_if_any();
+  }
+  Mechanism changed = mechanism;
+  changed.shipped = false;  // what the tests check has its own load
+  parameter_becomes_load(changed, static_cast<std::size_t>(found - mechanism.parameters.begin()));
+  collect_load_domain(changed);
+  derive_forms(changed, mistakes);
+  load_bounds(changed, mistakes);
+  mistakes.refuse_if_any();
+  return changed;
+}
+
+Mechanism without_load(const Mechanism& mechanism) {
+  if (!mechanism.load) return mechanism;
+  Mistakes mistakes(mechanism.file);
+  Mechanism changed = mechanism;
+  changed.shipped = false;
+  load_becomes_parameter(changed);
+  derive_forms(changed, mistakes);
+  mistakes.refuse_if_any();
+  return changed;
 }
 
 }  // namespace slipproof
