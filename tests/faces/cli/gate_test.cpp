@@ -64,7 +64,7 @@ TEST_CASE("eps-solution is a word of its own: what only the residual judges does
   const auto failed = run({"certify", wrong, "--fail-on", "wrong,inaccurate", "--junit", junit, "--json"});
   CHECK(failed.exit_code == 1);
   CHECK(failed.err.starts_with("1 of 2 records fail\n"));
-  CHECK(failed.err.find("contact 1 violates |r_1| + |r_2| ") != std::string::npos);
+  CHECK(failed.out.find("\"violates\":\"|r_1| + |r_2| = mu r_n") != std::string::npos);
   CHECK(read_file(junit).find("name=\"a diamond (record 2)\"") != std::string::npos);
   const std::string sarif = folder.path() / "s.sarif";
   CHECK(run({"certify", lines, "--fail-on", "eps-solution", "--sarif", sarif, "--quiet"}).exit_code == 1);
