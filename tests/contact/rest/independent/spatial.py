@@ -35,7 +35,7 @@ def load_differences(structure, told):
     for sign, key in ((-1, "from"), (1, "to")):
         status, value = cones.extreme(structure, sign)
         if told["none"] or status == "infeasible":
-            if not told["none"] or status in ("optimal", "unbounded"):
+            if not told["none"] or status == "optimal":  # "unbounded" is a direction, which needs no load to start from
                 out.append(f"found {told}, and CVXOPT {status} {value}")
         elif told["decided"] and (message := outside(reader.ends(told[key]), status, value)):
             out.append(f"{key}: {message}")
