@@ -96,14 +96,15 @@ bool ContactNewton::solve(Eigen::VectorXd& r, int attempt) const {
     const Eigen::VectorXd full = step(x, equations, added[static_cast<std::size_t>(attempt) % added.size()]);
     if (!full.allFinite()) break;
     double part = 1, reached = 0;
-    Eigen::VectorXd next;
+    Eigen::VectorXd next;  // the last that is tried, with its equations in `trial`
     for (int halving = 0; halving < 6; ++halving, part /= 2) {
       next = x - part * full;
       reached = error(next, trial);
       if (reached < now) break;
     }
-    x = next;
-    now = error(x, equations);
+    x.swap(next);
+    equations.swap(trial);
+    now = reached;
     worse = now < least ? 0 : worse + 1;
     if (now < least) least = now, r = x;
   }

@@ -34,8 +34,6 @@ class OneContact {
     by_law_ = problem.is_coulomb() && W(0, 0) > 0;
   }
 
-  const Block& block() const { return W_; }
-
   Part solve(const Part& rest, const Part& before) const {
     if (!by_law_) return iterated(rest, before);
     if (rest[0] >= 0) return Part::Zero();
@@ -285,15 +283,18 @@ struct Round {
 template <int size>
 std::vector<double> swept_in(const MixedProblem& problem, const std::vector<double>& start, int rounds) {
   const Sweeps<size> sweeps(problem);
-  std::optional<ContactNewton> newton;
-  if (problem.is_coulomb() && problem.size() <= ContactNewton::most) newton.emplace(problem);
+  const bool has_newton = problem.is_coulomb() && problem.size() <= ContactNewton::most;
+  std::optional<ContactNewton> newton;  // made where sweeps alone do not suffice
   Eigen::VectorXd r = Eigen::Map<const Eigen::VectorXd>(start.data(), static_cast<Eigen::Index>(start.size()));
   constexpr int most_attempts = 4;
   constexpr std::array<std::size_t, 5> depths{10, 5, 20, 3, 40};
   for (int i = 0; i < rounds; ++i) {
     const Round<size> round(sweeps, r, depths[static_cast<std::size_t>(i) % depths.size()], i % 2 == 0 ? 4 : 1.5);
     r = round.r;
-    if (round.agreed || (newton && i < most_attempts && newton->solve(r, i))) break;
+    if (round.agreed) break;
+    if (!has_newton || i >= most_attempts) continue;
+    if (!newton) newton.emplace(problem);
+    if (newton->solve(r, i)) break;
   }
   return {r.data(), r.data() + r.size()};
 }
