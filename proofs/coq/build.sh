@@ -25,7 +25,7 @@ mv judge.ml judge.mli claim
 ocamlfind ocamlopt -O3 -w -a -I claim -package unix,zarith -linkpkg claim/judge.mli claim/judge.ml support.ml claim/canonical.ml \
   claim/main.ml -o slipproof-judge-verified
 
-for part in Coulomb Number Certificate Fixed Linear Zero Checker Motions Read Parse Rows Law Enclose Refute Unique Definite Ball Arcs States Multipliers Eliminate Alone Known KnownAlone Frictionless AllMotions Different Sound Extract; do
+for part in Coulomb Number Certificate Fixed Linear Zero Checker Motions Read Parse Rows Law Enclose Refute Rest Unique Definite Ball Arcs States Multipliers Eliminate Alone Known KnownAlone Frictionless AllMotions Different Sound Extract; do
   coqc -q -Q . Slipproof contact/$part.v
 done
 coqc -q -Q . Slipproof contact/Assumptions.v >contact/assumptions.txt

@@ -125,6 +125,8 @@ Inductive body :=
   | Eps (bound moved : number) (point motions : list number)
   | NoneWithin (rho : number)
   | NoSolution (multipliers : list number)
+  | Rest (accelerations : N) (forces : list number)
+  | NoRest (accelerations : N) (multipliers : list number)
   | Enclosure (rho : number) (eta : option number) (modes : list mode) (center radius : list number) (pinned : list N)
       (dropped : list (N * list (N * number))) (inverse : list (N * N * number))
   | Ball (rho : number) (eta : option number) (modes : list mode) (center radius : list number) (pinned : list N)
@@ -199,6 +201,8 @@ Definition written (planar : bool) (b : body) : list piece :=
       [Word "eps"; Numeral bound; Numeral moved; Word "point"] ++ numerals point ++ [Word "motion"] ++ numerals motions
   | NoneWithin rho => [Word "none-within"; Numeral rho]
   | NoSolution y => [Word "no-solution"; Word "multipliers"] ++ numerals y
+  | Rest v x => [Word "rest"; Count v; Word "forces"] ++ numerals x
+  | NoRest v y => [Word "no-rest"; Count v; Word "multipliers"] ++ numerals y
   | Enclosure rho eta modes center radius pinned dropped inverse =>
       written_near "enclosure" rho eta modes center radius pinned dropped ++ [Word "inverse"] ++ in_matrix inverse
   | Ball rho eta modes center radius pinned dropped rows least defect bend factor =>
@@ -285,6 +289,8 @@ Definition meaning (i : instance) (b : body) : Prop :=
   | Eps bound moved _ _ => of_answer i (fun x => eps p x (value bound) (value moved))
   | NoneWithin rho => of_answer i (fun x => none_within p x (value rho))
   | NoSolution _ => no_solution p
+  | Rest v _ => can_rest p (N.to_nat v)
+  | NoRest v _ => cannot_rest p (N.to_nat v)
   | Enclosure rho None modes _ _ _ _ _ | Ball rho None modes _ _ _ _ _ _ _ _ _ =>
       of_answer i (fun x => enclosure p x (value rho) (fun k => nth k modes Open))
   | Enclosure rho (Some eta) modes _ _ _ _ _ | Ball rho (Some eta) modes _ _ _ _ _ _ _ _ _ =>

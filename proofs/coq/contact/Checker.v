@@ -334,20 +334,45 @@ Definition check_none_within (p : tables) (x : list number) (rho : number) : boo
       || existsb (fun c => fails (t_dim p) (mu c) (fun t => force_of (first c + t)) (fun t => motion_of (first c + t)))
            (contacts_of p (map (fun _ => Open) (t_mus p)))).
 
+Definition tangents (p : tables) (c : contact) : list N := range (first c + 1) (N.to_nat (t_dim p - 1)).
+Definition all_open (p : tables) : list contact := contacts_of p (map (fun _ => Open) (t_mus p)).
+
+(** A^T y *)
+Definition combination (p : tables) (y : table) : table :=
+  List.fold_left (fun m i => accumulate m (get y i) (linear_part (row p i))) (range 0 (N.to_nat (t_size p))) empty.
+
+(** g . x <= 0 for all x that are 0 in the first components, any number in the other free ones, and in the cones. *)
+Definition falls (p : tables) (zeros : N) (g : table) : bool :=
+  forallb (fun j => is_zero (get g j)) (range zeros (N.to_nat (t_frees p - zeros)))
+  && forallb (fun c =>
+       nonnegative (opp (get g (first c)))
+       && le (mul (square (mu c)) (total (map (fun j => square (get g j)) (tangents p c)))) (square (get g (first c))))
+     (all_open p).
+
+(** c . y < 0 *)
+Definition loses (p : tables) (y : table) : bool :=
+  positive_number (opp (total (map (fun i => mul (get y i) (get (t_constants p) i)) (range 0 (N.to_nat (t_size p)))))).
+
 (** y^T w has no negative terms where there is a solution, and is (A^T y) . x + c . y < 0. *)
 Definition check_no_solution (p : tables) (multipliers : list number) : bool :=
   let y := table_of multipliers in
-  let rows := range 0 (N.to_nat (t_size p)) in
-  let g := List.fold_left (fun m i => accumulate m (get y i) (linear_part (row p i))) rows empty in
-  let tangents c := range (first c + 1) (N.to_nat (t_dim p - 1)) in
-  let dot a b := total (map (fun i => mul (get a i) (get b i)) rows) in
-  forallb (fun j => is_zero (get g j)) (range 0 (N.to_nat (t_frees p)))
+  falls p 0 (combination p y)
+  && forallb (fun c => nonnegative (get y (first c)) && forallb (fun i => is_zero (get y i)) (tangents p c)) (all_open p)
+  && loses p y.
+
+(** Forces in the cones with w = 0, without accelerations. *)
+Definition check_rest (p : tables) (accelerations : N) (forces : list number) : bool :=
+  let x := table_of (repeat zero (N.to_nat accelerations) ++ forces) in
+  forallb (fun i => is_zero (middle (Box x empty) (row p i))) (range 0 (N.to_nat (t_size p)))
   && forallb (fun c =>
-       nonnegative (get y (first c)) && forallb (fun i => is_zero (get y i)) (tangents c)
-       && nonnegative (opp (get g (first c)))
-       && le (mul (square (mu c)) (total (map (fun j => square (get g j)) (tangents c)))) (square (get g (first c))))
-     (contacts_of p (map (fun _ => Open) (t_mus p)))
-  && positive_number (opp (dot y (t_constants p))).
+       nonnegative (get x (first c))
+       && le (total (map (fun j => square (get x j)) (tangents p c))) (square (mul (mu c) (get x (first c)))))
+     (all_open p).
+
+(** y^T w = 0 at rest, and is (A^T y) . x + c . y < 0. *)
+Definition check_no_rest (p : tables) (accelerations : N) (multipliers : list number) : bool :=
+  let y := table_of multipliers in
+  N.leb accelerations (t_frees p) && falls p accelerations (combination p y) && loses p y.
 
 (** d > 0 and a_ii d_i > the sum of the other |a_ij| d_j, with a_ii > 0. *)
 Definition check_dominant (p : tables) (weights : list number) : bool :=

@@ -88,6 +88,17 @@ Definition none_within (p : problem) (answer : nat -> R) (rho : R) : Prop :=
 
 Definition no_solution (p : problem) : Prop := forall x, ~ solution p x.
 
+(** Forces that hold what the problem describes at rest: its first unknowns, accelerations, are 0, and nothing is left of w. *)
+Record at_rest (p : problem) (accelerations : nat) (x : nat -> R) : Prop := AtRest {
+  no_acceleration : forall i, (i < accelerations)%nat -> x i = 0;
+  balanced : forall i, (i < size p)%nat -> motion p x i = 0;
+  within_cones : forall k, (k < contacts p)%nat ->
+    0 <= of_contact p k x 0%nat /\ tangential (dimension p) (of_contact p k x) <= friction p k * of_contact p k x 0%nat
+}.
+
+Definition can_rest (p : problem) (accelerations : nat) : Prop := exists x, at_rest p accelerations x.
+Definition cannot_rest (p : problem) (accelerations : nat) : Prop := forall x, ~ at_rest p accelerations x.
+
 (** Exactly one solution, whatever the constant. *)
 Definition unique (p : problem) : Prop :=
   forall c, exists x, solution (with_constant p c) x /\

@@ -158,7 +158,18 @@ Section Claims.
     let* t := some_nodes ts (tabulate 0 (fst l) (PositiveMap.empty listed)) (fst m) [PositiveMap.empty state] [] (snd l) in
     Some (AllSolutions (fst b) (fst l) (fst t), snd t).
 
+  (** Unknowns that are accelerations; at most as many as are free. *)
+  Definition accelerations_of : reader N := index_below (N.succ (frees i)).
+
   Definition read_claim : reader body := fun ts =>
+    if at_word "rest" ts then
+      let* v := accelerations_of (tl ts) in
+      let* x := numbers_after "forces" (n - fst v) (snd v) in Some (Rest (fst v) (fst x), snd x)
+    else
+    if at_word "no-rest" ts then
+      let* v := accelerations_of (tl ts) in
+      let* y := numbers_after "multipliers" (fst v) (snd v) in Some (NoRest (fst v) (fst y), snd y)
+    else
     if at_word "eps" ts then read_eps (tl ts) else
     if at_word "enclosure" ts then read_enclosure (tl ts) else
     if at_word "ball" ts then read_ball (tl ts) else
@@ -264,6 +275,8 @@ Definition check_body (i : instance) (p : tables) (b : body) : bool :=
       check_ball p x rho eta modes center radius pinned dropped rows least defect bend factor
   | NoneWithin rho, Some x => check_none_within p x rho
   | NoSolution y, _ => check_no_solution p y
+  | Rest v x, _ => check_rest p v x
+  | NoRest v y, _ => check_no_rest p v y
   | Dominant d, _ => check_dominant p d
   | Definite l, _ => check_definite p (entries i) l
   | AllSolutions eliminated motions tree, _ => check_all_solutions i eliminated motions tree

@@ -257,12 +257,11 @@ Section Instance.
   Qed.
 
   Lemma motion_work multipliers X :
-    let g := List.fold_left (fun m j => accumulate m (get (table_of multipliers) j) (linear_part (row p j)))
-               (range 0 (N.to_nat (t_size p))) empty in
+    let g := combination p (table_of multipliers) in
     sum (size P) (fun j => numbers multipliers j * motion P X j)
     = sum (size P) (fun j => value (get g (N.of_nat j)) * X j) + sum (size P) (fun j => numbers multipliers j * constant P j).
   Proof.
-    intros g. assert (SZ := size_is i). fold p P in SZ.
+    intros g. unfold combination in g. assert (SZ := size_is i). fold p P in SZ.
     set (left := range 0 (N.to_nat (t_size p))) in *.
     set (c := fun k : N => if (N.to_nat k <? size P)%nat then X (N.to_nat k) else 0).
     assert (O : forall k, ~ In k left -> c k = 0).
@@ -287,77 +286,94 @@ Section Instance.
     - intros k K. unfold c. rewrite Nat2N.id. destruct (Nat.ltb_spec k (size P)); [reflexivity | lia].
   Qed.
 
+  Lemma component_at k t : (first (contact_at i modes k) + N.of_nat t)%N = N.of_nat (free P + (dimension P * k + t)).
+  Proof. unfold contact_at; cbn [first]. unfold P, problem_of; cbn [free dimension]. lia. Qed.
+
+  Lemma squares_of_tangents k m : value (total (map (fun j => Checker.square (get m j)) (tangents p (contact_at i modes k))))
+    = square_of (dimension P) (fun t => value (get m (N.of_nat (free P + (dimension P * k + t))))).
+  Proof.
+    unfold tangents. rewrite total_range. unfold square_of, Checker.square. change (dimension P) with (N.to_nat (t_dim p)) at 1.
+    replace (N.to_nat (t_dim p - 1)) with (N.to_nat (t_dim p) - 1)%nat by lia. apply sum_ext. intros t _.
+    rewrite value_mul, <- (component_at k (S t)).
+    replace (first (contact_at i modes k) + N.of_nat (S t))%N with (first (contact_at i modes k) + 1 + N.of_nat t)%N by lia.
+    reflexivity.
+  Qed.
+
+  Lemma normal_at k (m : table) :
+    get m (first (contact_at i modes k)) = get m (N.of_nat (free P + (dimension P * k + 0))).
+  Proof. rewrite <- component_at. cbn [N.of_nat]. rewrite N.add_0_r. reflexivity. Qed.
+
+  Lemma loses_sound multipliers : loses p (table_of multipliers) = true ->
+    sum (size P) (fun j => numbers multipliers j * constant P j) < 0.
+  Proof.
+    intros H. assert (SZ := size_is i). fold p P in SZ. unfold loses in H. apply sign_positive in H.
+    rewrite value_opp, total_range, SZ in H. rewrite (sum_ext _ _ (fun j => numbers multipliers j * constant P j)) in H; [lra|].
+    intros j _. rewrite N.add_0_l, value_mul, table_of_value. unfold p. rewrite (row_constant i). reflexivity.
+  Qed.
+
+  Lemma falls_sound zeros g X : (zeros <= t_frees p)%N -> falls p zeros g = true ->
+    (forall j, (j < N.to_nat zeros)%nat -> X j = 0) ->
+    (forall k, (k < contacts P)%nat -> 0 <= of_contact P k X 0%nat /\
+      tangential (dimension P) (of_contact P k X) <= friction P k * of_contact P k X 0%nat) ->
+    sum (size P) (fun j => value (get g (N.of_nat j)) * X j) <= 0.
+  Proof.
+    intros Z H N C. unfold falls in H. apply andb_prop in H. destruct H as [H H1]. rewrite forallb_forall in H, H1.
+    assert (DD := dimension_is i fine). change (dim i) with (t_dim p) in DD.
+    unfold size. rewrite sum_split, sum_blocks. rewrite sum_zero.
+    2: { intros j J. destruct (Nat.ltb_spec j (N.to_nat zeros)) as [L|L]; [rewrite (N j L); ring|].
+         assert (Q : is_zero (get g (N.of_nat j)) = true).
+         { apply H, range_In. change (free P) with (N.to_nat (t_frees p)) in J. lia. }
+         apply sign_zero in Q. rewrite Q. ring. }
+    rewrite Rplus_0_l. apply Ropp_le_cancel. rewrite Ropp_0. rewrite <- (Rmult_1_l (sum _ _)), <- Ropp_mult_distr_l_reverse, <- sum_scale.
+    apply sum_nonnegative. intros k K. assert (Q := H1 _ (contact_at_In i modes k modes_length K)).
+    apply andb_prop in Q. destruct Q as [G0 G]. destruct (C k K) as [R0 IC].
+    set (r := of_contact P k X) in *. set (gg := fun t => value (get g (N.of_nat (free P + (dimension P * k + t))))).
+    apply sign_nonnegative in G0. rewrite value_opp, normal_at in G0. apply le_value in G.
+    rewrite value_mul, squares_of_tangents, normal_at in G. unfold Checker.square in G. rewrite !value_mul in G.
+    change (value (get g (N.of_nat (free P + (dimension P * k + 0))))) with (gg 0%nat) in G0, G.
+    fold gg in G. change (value (mu (contact_at i modes k))) with (friction P k) in G.
+    assert (M : 0 <= friction P k) by (apply friction_is; assumption).
+    rewrite (sum_ext _ _ (fun t => gg t * r t)).
+    2: { intros t _. unfold gg, r, of_contact. rewrite Nat.add_assoc. reflexivity. }
+    enough (sum (dimension P) (fun t => gg t * r t) <= 0) by lra.
+    assert (D1 : dimension P = S (dimension P - 1)) by (unfold P, problem_of; cbn; change (dim i) with (t_dim p); lia).
+    rewrite D1 at 1. rewrite sum_first.
+    assert (A0 := tangential_nonnegative (dimension P) gg). assert (AA := tangential_square (dimension P) gg).
+    assert (B0 := tangential_nonnegative (dimension P) r). assert (BB := tangential_square (dimension P) r).
+    rewrite <- AA in G.
+    set (a := tangential (dimension P) gg) in *. set (b := tangential (dimension P) r) in *.
+    assert (CS : sum (dimension P - 1) (fun t => gg (S t) * r (S t)) <= a * b).
+    { apply Rsqr_incr_0_var; [|nra]. unfold Rsqr. replace (a * b * (a * b)) with ((a * a) * (b * b)) by ring.
+      rewrite AA, BB. clear - DD. unfold square_of. change (dimension P) with (N.to_nat (t_dim p)).
+      assert (Q := Rle_0_sqr (gg 1%nat * r 2%nat - gg 2%nat * r 1%nat)). unfold Rsqr in Q.
+      destruct (N.to_nat (t_dim p)) as [|[|[|[|d]]]]; try lia; cbn; lra. }
+    assert (E : friction P k * a <= - gg 0%nat).
+    { apply Rsqr_incr_0_var; [|lra]. unfold Rsqr. nra. }
+    assert (a * b <= a * (friction P k * r 0%nat)) by (apply Rmult_le_compat_l; assumption).
+    assert ((friction P k * a) * r 0%nat <= - gg 0%nat * r 0%nat) by (apply Rmult_le_compat_r; assumption).
+    lra.
+  Qed.
+
   Theorem check_no_solution_sound multipliers : check_no_solution p multipliers = true -> no_solution P.
   Proof.
-    intros H X [F L]. unfold check_no_solution in H. assert (SZ := size_is i). fold p P in SZ. split_and H.
-    assert (W := motion_work multipliers X). cbv zeta in W.
-    set (g := List.fold_left _ _ empty) in *. set (y := table_of multipliers) in *.
-    apply sign_positive in H0. rewrite value_opp, total_range in H0.
+    intros H X [F L]. unfold check_no_solution in H. split_and H.
+    assert (W := motion_work multipliers X). cbv zeta in W. apply loses_sound in H0. rewrite forallb_forall in H1.
     assert (DD := dimension_is i fine). change (dim i) with (t_dim p) in DD.
-    assert (C0 : sum (size P) (fun j => numbers multipliers j * constant P j) < 0).
-    { rewrite SZ in H0. rewrite (sum_ext _ _ (fun j => numbers multipliers j * constant P j)) in H0; [lra|].
-      intros j _. rewrite N.add_0_l, value_mul. unfold y. rewrite table_of_value. unfold p. rewrite (row_constant i).
-      reflexivity. }
-    rewrite forallb_forall in H, H1.
-    assert (At : forall k t, (first (contact_at i modes k) + N.of_nat t)%N = N.of_nat (free P + (dimension P * k + t))).
-    { intros k t. unfold contact_at; cbn [first]. unfold P, problem_of; cbn [free dimension]. lia. }
     assert (Work : 0 <= sum (size P) (fun j => numbers multipliers j * motion P X j)).
     { unfold size. rewrite sum_split, sum_blocks.
       rewrite sum_zero by (intros j J; rewrite (F j J); ring). rewrite Rplus_0_l.
-      apply sum_nonnegative. intros k K. assert (Q := H1 _ (contact_at_In i modes k modes_length K)). split_and Q.
-      destruct (L k K) as [_ U _ _ _]. unfold of_contact in U. rewrite Nat.add_0_r in U.
-      apply sign_nonnegative in Q. assert (A := At k 0%nat). cbn [N.of_nat] in A. rewrite N.add_0_r in A. rewrite A in Q.
-      unfold y in Q. rewrite table_of_value in Q. rewrite forallb_forall in H4.
+      apply sum_nonnegative. intros k K. assert (Q := H1 _ (contact_at_In i modes k modes_length K)).
+      apply andb_prop in Q. destruct Q as [Q T]. destruct (L k K) as [_ U _ _ _]. unfold of_contact in U. rewrite Nat.add_0_r in U.
+      apply sign_nonnegative in Q. rewrite normal_at, table_of_value, Nat.add_0_r in Q. rewrite forallb_forall in T.
       assert (D1 : dimension P = S (dimension P - 1)) by (unfold P, problem_of; cbn; change (dim i) with (t_dim p); lia).
       rewrite D1 at 1. rewrite sum_first, sum_zero.
       - rewrite Rplus_0_r. rewrite Nat.add_0_r in *. apply Rmult_le_pos; assumption.
-      - intros t T. rewrite <- (table_of_value multipliers), <- (At k (S t)). fold y.
-        assert (Z : is_zero (get y (first (contact_at i modes k) + N.of_nat (S t))) = true).
-        { apply H4, range_In. change (dimension P) with (N.to_nat (t_dim p)) in T. lia. }
+      - intros t I. rewrite <- (table_of_value multipliers), <- (component_at k (S t)).
+        assert (Z : is_zero (get (table_of multipliers) (first (contact_at i modes k) + N.of_nat (S t))) = true).
+        { apply T, range_In. change (dimension P) with (N.to_nat (t_dim p)) in I. lia. }
         apply sign_zero in Z. rewrite Z. ring. }
-    assert (Less : sum (size P) (fun j => value (get g (N.of_nat j)) * X j) <= 0).
-    { unfold size. rewrite sum_split, sum_blocks.
-      rewrite sum_zero.
-      2: { intros j J. assert (Z : is_zero (get g (N.of_nat j)) = true).
-           { apply H, range_In. change (free P) with (N.to_nat (t_frees p)) in J. lia. }
-           apply sign_zero in Z. rewrite Z. ring. }
-      rewrite Rplus_0_l. apply Ropp_le_cancel. rewrite Ropp_0. rewrite <- (Rmult_1_l (sum _ _)), <- Ropp_mult_distr_l_reverse, <- sum_scale.
-      apply sum_nonnegative. intros k K. assert (Q := H1 _ (contact_at_In i modes k modes_length K)). split_and Q.
-      destruct (L k K) as [R0 _ _ IC _].
-      set (r := of_contact P k X) in *. set (gg := fun t => value (get g (N.of_nat (free P + (dimension P * k + t))))).
-      apply sign_nonnegative in H3. rewrite value_opp in H3.
-      assert (A := At k 0%nat). cbn [N.of_nat] in A. rewrite N.add_0_r in A. rewrite A in H2, H3.
-      change (value (get g (N.of_nat (free P + (dimension P * k + 0))))) with (gg 0%nat) in H3.
-      apply le_value in H2. unfold Checker.square in H2. rewrite !value_mul in H2.
-      change (value (get g (N.of_nat (free P + (dimension P * k + 0))))) with (gg 0%nat) in H2.
-      rewrite total_range in H2. replace (N.to_nat (t_dim p - 1)) with (dimension P - 1)%nat in H2
-        by (change (dimension P) with (N.to_nat (t_dim p)); lia).
-      rewrite (sum_ext _ _ (fun t => gg (S t) * gg (S t))) in H2.
-      2: { intros t _. rewrite value_mul. unfold gg. rewrite <- (At k (S t)).
-           rewrite <- A. replace (first (contact_at i modes k) + N.of_nat (S t))%N
-             with (first (contact_at i modes k) + 1 + N.of_nat t)%N by lia. reflexivity. }
-      fold (square_of (dimension P) gg) in H2.
-      change (value (mu (contact_at i modes k))) with (friction P k) in H2.
-      assert (M : 0 <= friction P k) by (apply friction_is; assumption).
-      rewrite (sum_ext _ _ (fun t => gg t * r t)).
-      2: { intros t _. unfold gg, r, of_contact. rewrite Nat.add_assoc. reflexivity. }
-      enough (sum (dimension P) (fun t => gg t * r t) <= 0) by lra.
-      assert (D1 : dimension P = S (dimension P - 1)) by (unfold P, problem_of; cbn; change (dim i) with (t_dim p); lia).
-      rewrite D1 at 1. rewrite sum_first.
-      assert (A0 := tangential_nonnegative (dimension P) gg). assert (AA := tangential_square (dimension P) gg).
-      assert (B0 := tangential_nonnegative (dimension P) r). assert (BB := tangential_square (dimension P) r).
-      rewrite <- AA in H2.
-      set (a := tangential (dimension P) gg) in *. set (b := tangential (dimension P) r) in *.
-      assert (CS : sum (dimension P - 1) (fun t => gg (S t) * r (S t)) <= a * b).
-      { apply Rsqr_incr_0_var; [|nra]. unfold Rsqr. replace (a * b * (a * b)) with ((a * a) * (b * b)) by ring.
-        rewrite AA, BB. clear - DD. unfold square_of. change (dimension P) with (N.to_nat (t_dim p)).
-        assert (Q := Rle_0_sqr (gg 1%nat * r 2%nat - gg 2%nat * r 1%nat)). unfold Rsqr in Q.
-        destruct (N.to_nat (t_dim p)) as [|[|[|[|d]]]]; try lia; cbn; lra. }
-      assert (E : friction P k * a <= - gg 0%nat).
-      { apply Rsqr_incr_0_var; [|lra]. unfold Rsqr. nra. }
-      assert (a * b <= a * (friction P k * r 0%nat)) by (apply Rmult_le_compat_l; assumption).
-      assert ((friction P k * a) * r 0%nat <= - gg 0%nat * r 0%nat) by (apply Rmult_le_compat_r; assumption).
-      lra. }
+    assert (Less := falls_sound 0 _ X (N.le_0_l _) H (fun j J => False_ind _ (Nat.nlt_0_r j J))
+      (fun k K => conj (no_pull _ _ _ _ (L k K)) (in_cone _ _ _ _ (L k K)))).
     lra.
   Qed.
 End Instance.

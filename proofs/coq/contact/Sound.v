@@ -1,7 +1,7 @@
 (** What the checker accepts is true. *)
 From Coq Require Import NArith Reals List Bool String Lia Lra FMapPositive.
 From Slipproof.contact Require Import Coulomb Number Fixed Linear Zero Certificate Checker Rows Law Enclose Refute.
-From Slipproof.contact Require Import Unique Definite Ball AllMotions Read Parse.
+From Slipproof.contact Require Import Rest Unique Definite Ball AllMotions Read Parse.
 Import ListNotations.
 
 Lemma check_body_sound i b : is_whole i = true -> is_proper i = true -> check_body i (tables_of i) b = true -> meaning i b.
@@ -17,6 +17,10 @@ Proof.
   - apply (check_none_within_sound i W F) in H. exact H.
   - apply (check_no_solution_sound i W F) in H. exact H.
   - apply (check_no_solution_sound i W F) in H. exact H.
+  - apply (check_rest_sound i W F) in H. exact H.
+  - apply (check_rest_sound i W F) in H. exact H.
+  - apply (check_no_rest_sound i W F) in H. exact H.
+  - apply (check_no_rest_sound i W F) in H. exact H.
   - apply (check_enclosure_sound i W F) in H. destruct H as [X [S [N [M V]]]]. destruct eta as [eta|].
     + exists X. split; [exact S|]. split; [exact N|]. split; [exact M | exact V].
     + exists X. split; [exact S|]. split; [exact N | exact M].

@@ -115,6 +115,8 @@ let claim_in_words about = function
       "a solution of a problem whose constant differs by at most " ^ decimal bound ^ ", within " ^ decimal moved ^ " of the answer"
   | NoneWithin rho -> "no solution within " ^ decimal rho ^ " of the answer"
   | NoSolution _ -> "no solution"
+  | Rest _ -> "it can rest"
+  | NoRest _ -> "it cannot rest"
   | Enclosure (rho, eta, _, _, _, _, _, _) | Ball (rho, eta, _, _, _, _, _, _, _, _, _, _) -> (
       "a solution within " ^ decimal rho ^ " of the answer"
       ^ match eta with None -> "" | Some eta -> ", its velocities within " ^ decimal eta)

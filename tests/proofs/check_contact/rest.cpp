@@ -1,15 +1,13 @@
-// The claims `rest` and `no-rest`: forces that hold, or a virtual motion that gains power. Not on the record: the
-// checker proved in Coq does not read them.
+// The claims `rest` and `no-rest`: forces that hold, or a virtual motion that gains power.
 #include <doctest/doctest.h>
 
 #include <string>
 #include <vector>
 
-#include "proofs/check_contact/check_contact.hpp"
+#include "proofs/check_contact/record.hpp"
 #include "support/replaced.hpp"
 
 using namespace slipproof;
-using check_contact::check_contact_certificate;
 using Kind = check_contact::ContactVerdict::Kind;
 
 namespace {
@@ -37,7 +35,7 @@ const std::string in_space =
 const std::string falls = in_space + "no-rest 3\nmultipliers 3 -12/5 -16/5\nend\n";
 
 std::string told(const std::string& certificate) {
-  const auto found = check_contact_certificate(certificate);
+  const auto found = check_contact::checked_on_record(certificate);
   return (found.kind == Kind::accepted   ? "accepted: "
           : found.kind == Kind::rejected ? "rejected: "
                                          : "unreadable: ") +
