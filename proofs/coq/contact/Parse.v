@@ -187,6 +187,9 @@ Definition unknown_claim (ts : list string) : bool :=
   at_word "every-solution" ts
   || (at_word "unique" ts && existsb (fun w => at_word w (tl ts)) ["bound"; "determinants"]).
 
+(** Forms of a matrix, or of a proof of a ball, that it does not know. *)
+Definition unknown_form (ts : list string) : bool := existsb (fun t => existsb (String.eqb t) ["mirrored"; "order"]) ts.
+
 Inductive outcome := Unreadable | NotCovered | Claims (l : list body).
 
 Fixpoint some_claims (fuel : list string) (i : instance) (most : N) (done : list body) (ts : list string) : outcome :=
@@ -195,7 +198,7 @@ Fixpoint some_claims (fuel : list string) (i : instance) (most : N) (done : list
   | _ :: fuel =>
       if unknown_claim ts then NotCovered else
       match read_claim i most ts with
-      | None => Unreadable
+      | None => if unknown_form ts then NotCovered else Unreadable
       | Some (b, r) =>
           if at_word "end" r then match r with [_] => Claims (rev' (b :: done)) | _ => Unreadable end
           else some_claims fuel i most (b :: done) r
@@ -233,7 +236,7 @@ Definition read (text : string) : file :=
   | Some ts =>
       let most := N.div (length_onto text 0) 2 in
       match read_header most ts with
-      | None => UnreadableFile
+      | None => if unknown_form ts then NotCoveredFile else UnreadableFile
       | Some ((name, (mus, (d, f)), (a, c)), r) =>
           if at_word "law" r then NotCoveredFile else
           let i := Instance d f mus a c None in

@@ -63,7 +63,7 @@ Proof.
   destruct (spells_all ts (pieces c) && check c)%bool eqn:E; [|discriminate]. apply andb_prop in E. destruct E as [A B].
   exists c. split; [|apply check_sound, B]. exists ts. split; [|apply spells_all_spells, A].
   unfold read in R. destruct (tokens text) as [us|]; [|discriminate].
-  destruct (read_header _ us) as [[[[name [mus [d f]]] [a k]] r]|]; [|discriminate].
+  destruct (read_header _ us) as [[[[name [mus [d f]]] [a k]] r]|]; [|destruct (unknown_form us); discriminate].
   destruct (at_word "law" r); [discriminate|].
   destruct (if at_word "no-answer" r then _ else _) as [[x r']|]; [|discriminate].
   destruct (some_claims _ _ _ _ _); try discriminate. inversion R; subst. reflexivity.
