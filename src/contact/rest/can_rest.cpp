@@ -150,9 +150,13 @@ RestDecision RestSolver::decide(const RestPush& push) {
 
 RestLoads RestSolver::loads(const RestPush& push, const RestPush& unit, bool not_negative) {
   RestLoads result;
-  result.to = end(push, unit, -1, not_negative, result);
+  find_end(push, unit, -1, not_negative, result);
   if (result.none) return result;
-  result.from = not_negative ? std::optional(ProvedEnd{0, 0}) : end(push, unit, 1, false, result);
+  if (not_negative) {
+    result.from = ProvedEnd{0, 0};
+  } else {
+    find_end(push, unit, 1, false, result);
+  }
   return result;
 }
 
@@ -162,6 +166,18 @@ RestSolver::Side RestSolver::side(RestProgram::Cones cones, const RestPush& push
   side.program = side.cones.extreme(push, loads);
   side.answer = answer(side.program);
   return side;
+}
+
+RestExtreme RestSolver::unbounded(const Side& inner, std::size_t loads, std::vector<Rational> more) {
+  const SparseOptimum& within = *inner.answer.exact;
+  const std::size_t last = inner.cones.last_column();
+  RestExtreme result{RestExtreme::Kind::unbounded, {}, {}, {}, std::move(more), {}};
+  for (std::size_t k = 0; k < loads; ++k) result.inner.push_back(within.x[last + k]);
+  result.forces = inner.cones.forces(within.x, false);
+  if (loads > 1 || !result.more.empty()) return result;
+  result.more = inner.cones.forces(within.direction, false);
+  for (Rational& force : result.more) force /= abs(within.direction[last]);
+  return result;
 }
 
 RestExtreme RestSolver::proved(Side& inner, Side& outer, std::size_t loads) {
@@ -175,7 +191,7 @@ RestExtreme RestSolver::proved(Side& inner, Side& outer, std::size_t loads) {
   }
   make_exact(inner.program, inner.answer);
   const SparseOptimum& within = *inner.answer.exact;
-  if (within.kind == SparseOptimum::Kind::unbounded) result.kind = RestExtreme::Kind::unbounded;
+  if (within.kind == SparseOptimum::Kind::unbounded) return unbounded(inner, loads, {});
   if (within.kind != SparseOptimum::Kind::optimal || around.kind != SparseOptimum::Kind::optimal) return result;
   for (std::size_t k = 0; k < loads; ++k) {
     result.inner.push_back(within.x[inner.cones.last_column() + k]);
@@ -187,17 +203,31 @@ RestExtreme RestSolver::proved(Side& inner, Side& outer, std::size_t loads) {
   return result;
 }
 
+std::vector<Rational> RestSolver::what_holds_more(const VariedLoad& load) {
+  RestPush unit = load.unit;
+  for (std::vector<Rational>* part : {&unit.f, &unit.limits}) {
+    for (Rational& value : *part) value *= -load.cost.sign();
+  }
+  return decide(unit).forces;
+}
+
 RestExtreme RestSolver::extreme(const RestPush& push, const std::vector<VariedLoad>& loads, const Nearness& near) {
+  std::optional<std::vector<Rational>> more;  // what holds a unit of the load, beyond any that is held
   for (int round = 1;; ++round) {
     Side inner = side(RestProgram::Cones::within, push, loads);
     if (!has_circles_) return proved(inner, inner, loads.size());
     const auto is = [](const Side& side, SparseOptimum::Kind kind) {
       return side.answer.exact && side.answer.exact->kind == kind;
     };
-    if (is(inner, SparseOptimum::Kind::unbounded)) return {RestExtreme::Kind::unbounded, {}, {}, {}, {}};
+    if (is(inner, SparseOptimum::Kind::unbounded)) return unbounded(inner, loads.size(), {});
     Side outer = side(RestProgram::Cones::around, push, loads);
     if (!outer.answer.feasible) make_exact(outer.program, outer.answer);
     if (is(outer, SparseOptimum::Kind::infeasible)) return proved(inner, outer, loads.size());
+    if (is(outer, SparseOptimum::Kind::unbounded) && loads.size() == 1 && !more) more = what_holds_more(loads[0]);
+    if (more && !more->empty() && inner.answer.feasible) {
+      make_exact(inner.program, inner.answer);
+      if (inner.answer.feasible) return unbounded(inner, 1, std::move(*more));
+    }
     const double gap = std::abs(inner.answer.least - outer.answer.least);
     const bool close = inner.answer.feasible && !is(outer, SparseOptimum::Kind::unbounded) &&
                        gap <= std::max(near.relative * std::abs(inner.answer.least), near.absolute);
@@ -206,16 +236,19 @@ RestExtreme RestSolver::extreme(const RestPush& push, const std::vector<VariedLo
   }
 }
 
-std::optional<ProvedEnd> RestSolver::end(const RestPush& push, const RestPush& unit, int direction, bool not_negative,
-                                         RestLoads& loads) {
+void RestSolver::find_end(const RestPush& push, const RestPush& unit, int direction, bool not_negative,
+                          RestLoads& loads) {
   const std::optional<Rational> from = not_negative ? std::optional<Rational>(0) : std::nullopt;
-  const RestExtreme found = extreme(push, {{unit, direction, from, std::nullopt}}, {});
+  RestExtreme found = extreme(push, {{unit, direction, from, std::nullopt}}, {});
   loads.none = found.kind == RestExtreme::Kind::none;
   if (found.kind == RestExtreme::Kind::undecided) loads.decided = false;
-  if (found.kind != RestExtreme::Kind::found) return std::nullopt;
-  ProvedEnd end{found.inner[0], found.outer[0]};
-  if (end.upper < end.lower) std::swap(end.lower, end.upper);
-  return end;
+  if (found.kind == RestExtreme::Kind::found) {
+    const auto [lower, upper] = std::minmax(found.inner[0], found.outer[0]);
+    (direction < 0 ? loads.to : loads.from) = ProvedEnd{lower, upper};
+  } else if (found.kind == RestExtreme::Kind::unbounded) {
+    EndlessLoad endless{found.inner[0], std::move(found.forces), std::move(found.more)};
+    (direction < 0 ? loads.above : loads.below) = std::move(endless);
+  }
 }
 
 }  // namespace slipproof

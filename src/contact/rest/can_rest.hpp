@@ -20,11 +20,18 @@ struct RestDecision {
 struct ProvedEnd {
   Rational lower, upper;
 };
+/// The proof that a load has no end: `forces` hold `load`, and with `more` added for each unit they hold it farther
+/// out.
+struct EndlessLoad {
+  Rational load;
+  std::vector<Rational> forces, more;
+};
 /// The loads at which a scene can rest: those between the two ends, nothing where there is no end.
 struct RestLoads {
   bool none = false;    ///< at no load
   bool decided = true;  ///< false: no end was found within the rounds of polygons
   std::optional<ProvedEnd> from, to;
+  std::optional<EndlessLoad> below, above;  ///< in place of an end
 };
 
 /// The least cost of loads that vary, from both sides.
@@ -33,7 +40,8 @@ struct RestExtreme {
   Kind kind = Kind::undecided;
   std::vector<Rational> inner,
       outer;                     ///< found: loads at which it can rest; those of the least cost that is not excluded
-  std::vector<Rational> forces;  ///< found: that hold it at `inner`
+  std::vector<Rational> forces;  ///< found, and unbounded in one load: that hold it at `inner`
+  std::vector<Rational> more;    ///< unbounded in one load: that hold a unit more of it, and nothing else
   std::vector<Rational> multipliers;  ///< found: no cost is less than that of `outer`; none: there are no such loads
 };
 /// How near both sides must be: relative to the cost, or absolutely.
@@ -74,12 +82,16 @@ class RestSolver {
   };
   Side side(RestProgram::Cones cones, const RestPush& push, const std::vector<VariedLoad>& loads);
   RestExtreme proved(Side& inner, Side& outer, std::size_t loads);
+  /// Of a program whose inner cones have a point: that, and what holds more of the only load.
+  static RestExtreme unbounded(const Side& inner, std::size_t loads, std::vector<Rational> more);
+  /// Forces within the cones that hold a unit of the load in the direction of its cost, and nothing else; empty if none
+  /// are found. They can be added to any that hold a load: it has no end there, if it begins.
+  std::vector<Rational> what_holds_more(const VariedLoad& load);
   void make_exact(const SparseProgram& program, Answer& answer);
   bool settle(const RestPush& push, const RestProgram& within, RestDecision& decision);
   bool refine(const std::vector<double>& forces);
   std::vector<double> forces_of(const RestProgram& program, const Answer& answer, bool margin) const;
-  std::optional<ProvedEnd> end(const RestPush& push, const RestPush& unit, int direction, bool not_negative,
-                               RestLoads& loads);
+  void find_end(const RestPush& push, const RestPush& unit, int direction, bool not_negative, RestLoads& loads);
 
   const RestProblem& problem_;
   Effort& effort_;

@@ -201,6 +201,14 @@ Json end_json(const std::optional<ProvedEnd>& end) {
   return end ? Json::array({to_json(end->lower), to_json(end->upper)}) : Json(nullptr);
 }
 
+/// The proof that the load has no end there: forces at a load, and those that each further unit needs.
+Json endless_json(const RestProblem& problem, const std::optional<EndlessLoad>& endless) {
+  if (!endless) return nullptr;
+  return {{"load", to_json(endless->load)},
+          {"forces", named_json(problem.forces, endless->forces)},
+          {"more", named_json(problem.forces, endless->more)}};
+}
+
 Json other_motions(const RestAnswer& answer) {
   Json result = Json::array();
   const Mechanism& m = answer.scene.mechanism;
@@ -250,6 +258,8 @@ std::string rest_json(const RestAnswer& answer) {
     document["load"] = {{"name", *answer.problem.load},  {"value", to_json(answer.scene.load)},
                         {"from", end_json(loads->from)}, {"to", end_json(loads->to)},
                         {"none", loads->none},           {"decided", loads->decided}};
+    document["load"]["endless"] = {{"below", endless_json(answer.problem, loads->below)},
+                                   {"above", endless_json(answer.problem, loads->above)}};
   }
   if (const auto& tilt = answer.tilt) {
     document["tilt"] = {{"tangent", end_json(tilt->tangent)},

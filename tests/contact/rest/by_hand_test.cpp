@@ -127,6 +127,33 @@ TEST_CASE("the greatest push on a cube in space") {
   CHECK(-diagonal.loads->from->upper <= to.upper);
 }
 
+TEST_CASE("a load without end, with forces that each further unit needs") {
+  // Pressed down at its middle by F, and pulled sideways by less than mu F: (3/10, 2/5) has half the length of 1. On
+  // the circle itself, at 3/10 and 2/5, no polygon that is there at first has a point.
+  const auto pressed = [](const std::string& push) {
+    const RestAnswer answer = find_rest(space_scene(cube_in_space("1/2", push)));
+    REQUIRE(answer.loads);
+    CHECK(answer.loads->decided);
+    return answer;
+  };
+  for (const char* push : {R"("F/4", "3*F/8", "-F")", R"("3*F/10", "2*F/5", "-F")"}) {
+    const RestAnswer answer = pressed(push);
+    CHECK_FALSE(answer.loads->to);
+    REQUIRE(answer.loads->above);
+    const EndlessLoad& above = *answer.loads->above;
+    CHECK(holds(answer.problem, push_at(answer.problem, above.load), above.forces));
+    CHECK(holds(answer.problem, push_at(answer.problem, std::nullopt), above.more));
+    CHECK_FALSE(answer.loads->below);
+    CHECK(answer.loads->from);
+  }
+  // Twice as far to the side it ends: 5 + F/2 = F along (3/5, 4/5).
+  const RestAnswer pulled = pressed(R"("3*F/5", "4*F/5", "-F")");
+  CHECK_FALSE(pulled.loads->above);
+  REQUIRE(pulled.loads->to);
+  CHECK(pulled.loads->to->lower <= 10);
+  CHECK(pulled.loads->to->upper >= 10);
+}
+
 TEST_CASE("a cube in space that is pushed less, as much, and more than friction holds") {
   const auto pushed = [](const std::string& push) {
     MechanismScene scene = space_scene(cube_in_space("1/2", push));

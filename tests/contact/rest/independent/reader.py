@@ -3,11 +3,11 @@ cones, or a motion that no contact forbids and in which gravity and load gain po
 from fractions import Fraction
 
 
-def forces_wrong(structure, forces, load):
-    """Why these forces do not hold the structure at this load, or ""."""
+def forces_wrong(structure, forces, load, share=1):
+    """Why these forces do not hold the structure at this load and this share of all else that pushes, or ""."""
     r = {name: Fraction(value) for name, value in forces.items()}
     for name, row, constant, factor in structure.rows():
-        if sum(r[f] * v for f, v in row.items()) + constant + factor * load:
+        if sum(r[f] * v for f, v in row.items()) + share * constant + factor * load:
             return f"the balance of {name} is not 0"
     for c in structure.contacts:
         normal, *tangents = (r[f] for f in c.forces())
@@ -40,9 +40,25 @@ def motion_wrong(structure, motion, load):
     return ""
 
 
+def load_wrong(structure, told):
+    """Why an end of the load that is not there is not proved, or ""."""
+    for side, key, unit in (("below", "from", -1), ("above", "to", 1)):
+        endless = told["endless"][side]
+        if bool(endless) != (told[key] is None and told["decided"] and not told["none"]):
+            return f"found {'a' if endless else 'no'} proof that the load has no end {side}, and the end {told[key]}"
+        if endless:
+            message = forces_wrong(structure, endless["forces"], Fraction(endless["load"])) or forces_wrong(
+                structure, endless["more"], unit, 0)
+            if message:
+                return f"{side}: {message}"
+    return ""
+
+
 def wrong(structure, answer):
     """Why this answer does not prove what it says, or "". An answer that says nothing is not wrong."""
     load = structure.load or Fraction(0)
+    if structure.load is not None and (message := load_wrong(structure, answer["load"])):
+        return message
     if answer["can_rest"] is True:
         return forces_wrong(structure, answer["forces"], load) if answer["forces"] else "no forces are given"
     if answer["can_rest"] is False:
