@@ -49,6 +49,7 @@ class RestPicture {
     for (const Rational& rate : accelerations()) motion.accelerations.push_back({rate, rate});
     for (const Rational& force : forces_) motion.forces.emplace_back(Range{force, force});
     motion.strict = true;
+    if (falls()) return virtual_motion_svg_file(answer_.scene, motion, from, heading());
     return space_svg_file({answer_.scene, {motion}, {}, {}, 0}, 0, from, heading());
   }
 

@@ -74,6 +74,13 @@ TEST_CASE("draw shows the forces that hold a scene, or the virtual motion that p
   CHECK(falls.find("green: the virtual motion") != std::string::npos);
   const std::string space = SLIPPROOF_SOURCE_DIR "/cases/rest/three-legged-table.toml";
   CHECK(run({"draw", space, "--motion", "rest", "--load", "100"}).out.find("proves its fall") != std::string::npos);
+  const std::string in_space =
+      run({"draw", SLIPPROOF_SOURCE_DIR "/cases/rest/three-legged-table.toml", "--motion", "rest", "--load", "100"})
+          .out;
+  for (const char* words : {">virtual motion<", "moves at a rate of", "turns at a rate of"}) {
+    CHECK(in_space.find(words) != std::string::npos);
+  }
+  for (const char* words : {">acceleration<", "m/s²", "N_left"}) CHECK(in_space.find(words) == std::string::npos);
 }
 
 TEST_CASE("rest refuses what moves, and questions that a scene does not fit") {

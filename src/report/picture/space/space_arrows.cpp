@@ -243,12 +243,14 @@ void SpaceArrows::body(const SpaceGeometry::MovingBody& body) {
   straight(body.at, body.velocity, true, body.name, in_.sizes.speed);
   const auto turning = [&](const Vec3& axis, bool before, double largest) {
     if (length(axis) <= nothing * largest || largest == 0) return;
-    const std::string words =
-        quantity(before ? "spin" : "turning", length(axis), before ? "rad/s" : "rad/s²", body.name);
+    const std::string words = quantity(before           ? "spin"
+                                       : in_.is_virtual ? "turns at a rate of"
+                                                        : "turning",
+                                       length(axis), before ? "rad/s" : "rad/s²", body.name);
     const auto places = turn(body.at, axis, before ? turn_radius : turn_radius + 8,
                              before ? "velocity" : "acceleration", before ? ArrowLine::solid : ArrowLine::dotted);
     if (named()) labels_.words(places, words);
-    signs_.insert(before ? SpaceSign::velocity : SpaceSign::acceleration);
+    sign_of_motion(before);
     describe(body.name, words);
   };
   turning(body.spin, true, in_.sizes.spin);
@@ -262,20 +264,28 @@ void SpaceArrows::straight(const Vec3& at, const Vec3& way, bool before, const s
   if (size == 0 || length(way) <= nothing * size) return;
   const Vec3 end = at + (longest_way / in_.view.scale() / size) * way;
   arrow(at, end, before ? "velocity" : "acceleration", before ? ArrowLine::solid : ArrowLine::dotted);
-  const std::string words = quantity(before ? "v" : "a", length(way), before ? "m/s" : "m/s²", name);
+  const std::string words = quantity(before           ? "v"
+                                     : in_.is_virtual ? "moves at a rate of"
+                                                      : "a",
+                                     length(way), before ? "m/s" : "m/s²", name);
   const Point from = in_.view.pixel(at), to = in_.view.pixel(end);
   if (named()) {
     labels_.words({to, halfway_to(from, to)}, words);
     names_.push_back({at, end, words});
   }
-  signs_.insert(before ? SpaceSign::velocity : SpaceSign::acceleration);
+  sign_of_motion(before);
   describe(name, words);
+}
+
+void SpaceArrows::sign_of_motion(bool before) {
+  signs_.insert(before ? SpaceSign::velocity : in_.is_virtual ? SpaceSign::virtual_rate : SpaceSign::acceleration);
 }
 
 /// `v = 3 m/s`; with several bodies `cart: v = 3 m/s`.
 std::string SpaceArrows::quantity(const std::string& symbol, double value, const std::string& unit,
                                   const std::string& body) const {
-  std::string words = symbol + " " + rounded_value(value) + (in_.geometry.has_units ? " " + unit : "");
+  const bool has_unit = in_.geometry.has_units && !(in_.is_virtual && unit.ends_with("²"));
+  std::string words = symbol + " " + rounded_value(value) + (has_unit ? " " + unit : "");
   return body.empty() || in_.geometry.bodies.size() < 2 ? words : body + ": " + words;
 }
 

@@ -49,7 +49,8 @@ class SpaceArrows {
     const SpaceNumbers& numbers;
     const SpaceView& view;
     SpaceSizes sizes;
-    bool lettered = false;  ///< contacts have letters
+    bool lettered = false;    ///< contacts have letters
+    bool is_virtual = false;  ///< accelerations are the rates of a virtual motion
   };
   SpaceArrows(const Element& svg, const Input& input, PictureLabels& labels);
 
@@ -72,6 +73,8 @@ class SpaceArrows {
   void weight(const SpaceGeometry::Weight& weight);
   void body(const SpaceGeometry::MovingBody& body);
   void straight(const Vec3& at, const Vec3& way, bool before, const std::string& name, double size);
+  /// Notes the sign of a velocity, or of an acceleration or a virtual rate.
+  void sign_of_motion(bool before);
   /// Part of a circle around an axis, with an arrow at its end; returns places for its label.
   std::vector<Point> turn(const Vec3& at, const Vec3& axis, double radius, std::string_view css, ArrowLine line);
   std::string quantity(const std::string& symbol, double value, const std::string& unit, const std::string& body) const;

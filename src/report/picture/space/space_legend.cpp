@@ -26,6 +26,8 @@ std::string_view meaning_of(SpaceSign sign) {
       return "velocity";
     case SpaceSign::acceleration:
       return "acceleration";
+    case SpaceSign::virtual_rate:
+      return "virtual motion";
     case SpaceSign::slip:
       return "where a contact begins to slip";
     case SpaceSign::sliding:
@@ -51,6 +53,7 @@ void add_sample(const Element& svg, SpaceSign sign, double x, double y) {
     case SpaceSign::velocity:
       return add_velocity_arrow(svg, from, to);
     case SpaceSign::acceleration:
+    case SpaceSign::virtual_rate:
       return add_acceleration_arrow(svg, from, to);
     case SpaceSign::slip:
       return add_arrow(svg, from, 26, 0, "slips", ArrowLine::dotted);

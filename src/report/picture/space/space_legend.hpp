@@ -18,6 +18,7 @@ enum class SpaceSign : std::uint8_t {
   load,
   velocity,
   acceleration,
+  virtual_rate,
   slip,
   sliding,
   shadow

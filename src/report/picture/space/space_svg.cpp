@@ -24,8 +24,10 @@ constexpr double space_width = 330, space_height = 270, axes_room = 62, axes_len
 /// What pictures of several motions share.
 class SpacePicture {
  public:
-  SpacePicture(const MechanismScene& scene, const std::vector<SpaceMotion>& motions, const Vec3& from)
+  SpacePicture(const MechanismScene& scene, const std::vector<SpaceMotion>& motions, const Vec3& from,
+               bool is_virtual = false)
       : scene_(scene),
+        is_virtual_(is_virtual),
         geometry_(space_geometry(scene)),
         numbers_(scene, motions),
         view_(from, geometry_.up),
@@ -65,7 +67,8 @@ class SpacePicture {
     const ElementTree scratch("svg");
     PictureLabels labels;
     const bool lettered = scene_.mechanism.contacts.size() >= fewest_lettered;
-    SpaceArrows arrows(scratch.root(), {scene_, &motion, geometry_, numbers_, view_, sizes_, lettered}, labels);
+    SpaceArrows arrows(scratch.root(), {scene_, &motion, geometry_, numbers_, view_, sizes_, lettered, is_virtual_},
+                       labels);
     arrows.draw();
     Json model{{"heading", heading_of(motion)}, {"kind", kind_of(motion)}};
     model["rows"] = contact_rows(scene_, &motion, numbers_, lettered);
@@ -84,7 +87,7 @@ class SpacePicture {
     frame.begin(box_);
     scenery_.draw(svg, view_, labels);
     const bool lettered = scene_.mechanism.contacts.size() >= fewest_lettered;
-    SpaceArrows arrows(svg, {scene_, motion, geometry_, numbers_, view_, sizes_, lettered}, labels);
+    SpaceArrows arrows(svg, {scene_, motion, geometry_, numbers_, view_, sizes_, lettered, is_virtual_}, labels);
     arrows.draw();
     for (const Point& end : arrows.ends()) frame.see(end);
     signs_.insert(arrows.signs().begin(), arrows.signs().end());
@@ -145,7 +148,10 @@ class SpacePicture {
   void below(const Element& svg, const SpaceMotion* motion, PictureFrame& frame, bool lettered) const {
     const double left = frame.drawn().left, top = frame.drawn().bottom + 6;
     axes(svg, {left + axes_room / 2 - 4, top + axes_room / 2});
-    const auto rows = contact_rows(scene_, motion, numbers_, lettered);
+    auto rows = contact_rows(scene_, motion, numbers_, lettered);
+    for (auto& row : rows) {
+      if (is_virtual_) row.resize(2);
+    }
     if (!rows.empty())
       frame.see(add_text_table(svg, rows, {left + axes_room, top + 4}, PictureFrame::widest - axes_room));
     frame.see(LabelBox{left, top, left + axes_room, top + axes_room});
@@ -171,6 +177,7 @@ class SpacePicture {
   }
 
   const MechanismScene& scene_;
+  const bool is_virtual_;
   const SpaceGeometry geometry_;
   const SpaceNumbers numbers_;
   SpaceView view_;
@@ -181,9 +188,9 @@ class SpacePicture {
 };
 
 std::string single_file(const MechanismScene& scene, const SpaceMotion* motion, const Vec3& from,
-                        const std::string& heading) {
+                        const std::string& heading, bool is_virtual = false) {
   const std::vector<SpaceMotion> shown = motion == nullptr ? std::vector<SpaceMotion>{} : std::vector{*motion};
-  SpacePicture picture(scene, shown, from);
+  SpacePicture picture(scene, shown, from, is_virtual);
   const std::string mode = !heading.empty() ? heading : motion == nullptr ? "" : heading_of(*motion);
   return picture_file(
       scene.name + (mode.empty() ? "" : ": " + mode), 1.6,
@@ -222,6 +229,11 @@ std::string space_svg_file(const MechanismScene& scene, const Vec3& from) {
 std::string space_svg_file(const SolvedSpace& solved, std::size_t motion, const Vec3& from,
                            const std::string& heading) {
   return single_file(solved.scene, &solved.motions[motion], from, heading);
+}
+
+std::string virtual_motion_svg_file(const MechanismScene& scene, const SpaceMotion& rates, const Vec3& from,
+                                    const std::string& heading) {
+  return single_file(scene, &rates, from, heading, true);
 }
 
 std::string space_model_json(const SolvedSpace& solved) {

@@ -20,6 +20,9 @@ std::string space_svg_file(const MechanismScene& scene, const Vec3& from);
 /// The same with a motion of the scene's; under a heading, or under its mode.
 std::string space_svg_file(const SolvedSpace& solved, std::size_t motion, const Vec3& from,
                            const std::string& heading = {});
+/// A virtual motion: its rates in place of accelerations, without units, and no forces of contacts.
+std::string virtual_motion_svg_file(const MechanismScene& scene, const SpaceMotion& rates, const Vec3& from,
+                                    const std::string& heading);
 
 /// All motions side by side, each with what it is: its mode, one of a continuum, forces open.
 std::string space_motions_svg_file(const SolvedSpace& solved, const Vec3& from);
