@@ -104,7 +104,8 @@ class FclibFile {
     const bool global = file_.has("/fclib_global"), local = file_.has("/fclib_local");
     if (!global && !local) {
       refuse(name_, file_.has("/fclib_global_rolling")
-                        ? "/fclib_global_rolling: found rolling friction, expected /fclib_local or /fclib_global"
+                        ? "/fclib_global_rolling: found rolling friction, which is not judged, expected /fclib_local "
+                          "or /fclib_global"
                         : "found neither /fclib_local nor /fclib_global, expected one of them. Records are read "
                           "from CSV, JSON Lines and .npy; Python makes an array of a table in HDF5: "
                           "numpy.save(\"a.npy\", h5py.File(\"a.h5\")[\"table\"][:])");

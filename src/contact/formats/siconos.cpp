@@ -29,6 +29,19 @@ class SiconosText {
     return std::move(reading_);
   }
 
+  /// Whether it is a problem with rolling friction: in space five components a contact, and two coefficients.
+  bool is_rolling(ProblemForm form) {
+    reading_.problem.form = form;
+    if (words_.peek() != "3" && words_.peek() != "5") return false;
+    try {
+      reading_.problem.dimension = words_.next() == "3" ? 3 : 5;
+      read_contacts(2);
+      return words_.rest().empty();
+    } catch (const FormatStop&) {
+      return false;
+    }
+  }
+
   /// Where it stopped, which a message may look back from.
   std::size_t reached() { return words_.position(); }
 
@@ -45,6 +58,12 @@ class SiconosText {
     ProblemFile& p = reading_.problem;
     if (words_.peek() != "2" && words_.peek() != "3") words_.stop("the dimension: 2 or 3");
     p.dimension = words_.next() == "2" ? 2 : 3;
+    read_contacts(1);
+  }
+
+  /// All that follows the dimension, with so many coefficients a contact.
+  void read_contacts(std::size_t coefficients) {
+    ProblemFile& p = reading_.problem;
     const std::size_t contacts = words_.count("the number of contacts"), components = contacts * p.dimension;
     if (p.form == ProblemForm::local) {
       p.W = matrix("W", MatrixSize{components, components});
@@ -55,7 +74,7 @@ class SiconosText {
       p.f = vector("f", p.M.rows);
       p.w = vector("w", components);
     }
-    for (std::size_t k = 0; k < contacts; ++k) {
+    for (std::size_t k = 0; k < coefficients * contacts; ++k) {
       if (words_.peek().starts_with('-')) words_.stop("a coefficient of friction, which is not negative");
       p.mu.push_back(words_.finite_number("a coefficient of friction"));
     }
@@ -118,7 +137,16 @@ ProblemFile read_siconos(std::string_view text, const std::string& file) {
       farthest = {stop.position, "read as " + std::string(name) + ": " + stop.message};
     }
   }
-  if (fits.empty()) refuse(file, text, farthest);
+  if (fits.empty()) {
+    for (const ProblemForm form : {ProblemForm::local, ProblemForm::global}) {
+      if (SiconosText(text).is_rolling(form)) {
+        refuse(file,
+               "found rolling friction: five components a contact, or three in the plane, and two coefficients, "
+               "expected forces alone: rolling friction is not judged");
+      }
+    }
+    refuse(file, text, farthest);
+  }
   // If one grammar reads a file to its end, others may read a part and call the rest a comment.
   const auto whole = [](const Fit& fit) { return fit.reading.ends_with_data; };
   if (std::any_of(fits.begin(), fits.end(), whole)) std::erase_if(fits, [&](const Fit& fit) { return !whole(fit); });

@@ -37,7 +37,7 @@ TEST_CASE("strange HDF5 files are refused with the path") {
       {gone(vectors + "/q"), vectors + "/q: found nothing, expected numbers"},
       {gone("/fclib_local"), "found neither /fclib_local nor /fclib_global, expected one of them"},
       {[](const Hdf5Writer& out) { out.remove("/fclib_local"), out.group("/fclib_global_rolling"); },
-       "/fclib_global_rolling: found rolling friction, expected /fclib_local or /fclib_global"},
+       "/fclib_global_rolling: found rolling friction, which is not judged, expected /fclib_local or /fclib_global"},
       {integers("/fclib_local/spacedim", {5}), "/fclib_local/spacedim: found 5, expected 2 or 3"},
       {integers("/fclib_local/spacedim", {3}), "found 2 components, expected a multiple of the dimension 3"},
       {integers("/fclib_local/spacedim", {2, 2}), "/fclib_local/spacedim: found 2 numbers, expected one"},

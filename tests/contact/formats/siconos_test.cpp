@@ -222,6 +222,11 @@ TEST_CASE("malformed texts of Siconos are refused at their place") {
            "FILE:6:1: read as a local friction problem: found '1', expected 9 entries of W altogether"},
           {std::string("2 1 0 2 2 2 2 \0\xff\xfe\x01", 19),
            "FILE:1:15: read as a local friction problem: found '\\x00"},
+          {"5\n1\n0\n5\n5\n5 5\n1 0 0 0 0\n0 1 0 0 0\n0 0 1 0 0\n0 0 0 1 0\n0 0 0 0 1\n-1 0 0 0 0\n 0.3\n 0.1",
+           "FILE: found rolling friction: five components a contact, or three in the plane, and two coefficients"},
+          {"3\n1\n0\n3\n3\n3 3\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n 0.3\n 0.1", "FILE: found rolling friction"},
+          {"5\n1\n0\n5\n5\n5 5\n1 0 0 0 0\n0 1 0 0 0\n0 0 1 0 0\n0 0 0 1 0\n0 0 0 0 1\n-1 0 0 0 0\n 0.3",
+           "FILE:3:1: read as a complementarity problem"},
           {std::string("\0\0\xff\xfe\x01", 5), "FILE: found bytes that are not text, expected a contact problem"},
           {"\xff\xfe"
            "2",
