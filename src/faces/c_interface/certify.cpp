@@ -1,10 +1,15 @@
 #include "records/certify/certify.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
 
 #include "base/number/binary64.hpp"
+#include "base/parallel/in_parallel.hpp"
 #include "contact/formats/problem_check.hpp"
 #include "contact/problem/problem.hpp"
 #include "faces/c_interface/call.hpp"
@@ -14,7 +19,8 @@
 
 /// A judgement and the texts that it refers to.
 struct slipproof_verdict {
-  std::string verdict, json;
+  std::string_view word;  ///< ends with a null character, and lives on
+  std::string json;
   bool certified = false;
   double error = std::numeric_limits<double>::quiet_NaN();
   double backward_error = std::numeric_limits<double>::quiet_NaN();
@@ -113,7 +119,7 @@ RecordJudgement judge_exactly(const ReadProblem& read, const JudgeOptions& optio
 
 std::unique_ptr<slipproof_verdict> verdict_of(const RecordJudgement& found) {
   auto verdict = std::make_unique<slipproof_verdict>();
-  verdict->verdict = name(found.verdict);
+  verdict->word = name(found.verdict);
   append_line(verdict->json, 1, found);
   verdict->certified = found.verdict == RecordVerdict::certified;
   if (!found.mode_names.empty()) verdict->error = found.max_error;
@@ -123,7 +129,7 @@ std::unique_ptr<slipproof_verdict> verdict_of(const RecordJudgement& found) {
 std::unique_ptr<slipproof_verdict> verdict_of(const JudgedProblem& problem) {
   const ContactJudgement& found = problem.first().judgement;
   auto verdict = std::make_unique<slipproof_verdict>();
-  verdict->verdict = name(found.verdict);
+  verdict->word = name(found.verdict);
   verdict->json = contact_line(problem, 0) + '\n';
   verdict->certified = is_certified(found.verdict);
   if (found.has_solution()) verdict->error = found.rho;
@@ -136,6 +142,30 @@ std::unique_ptr<slipproof_verdict> certify(const slipproof_problem& problem, con
   ReadProblem given = read(problem);
   if (problem.dimension < 3 && problem.size <= max_problem_size) return verdict_of(judge_exactly(given, options.exact));
   return verdict_of(judge_problem_file("problem", std::move(given), options.enclosure));
+}
+
+/// Names the problem in errors about its parts.
+std::unique_ptr<slipproof_verdict> certify_at(const slipproof_problem* problems, std::size_t i,
+                                              const Options& options) {
+  try {
+    return certify(problems[i], options);
+  } catch (const BadArgument& error) {
+    const Diagnostic& first = error.diagnostics().front();
+    const std::string place = "problems[" + std::to_string(i + 1) + "]";
+    throw BadArgument(first.file == "problem" ? place : place + "." + first.file, first.message);
+  }
+}
+
+std::vector<slipproof_result> certify_many(std::span<const slipproof_problem> problems, const Options& options,
+                                           unsigned threads) {
+  std::vector<slipproof_result> results(problems.size());
+  on_threads(threads, [&] {
+    in_parallel(0, problems.size(), [&](std::size_t i) {
+      const auto found = certify_at(problems.data(), i, options);
+      results[i] = {found->word.data(), found->certified, found->error, found->backward_error};
+    });
+  });
+  return results;
 }
 
 }  // namespace
@@ -151,10 +181,22 @@ slipproof_status slipproof_certify(const slipproof_problem* problem, const slipp
   });
 }
 
+slipproof_status slipproof_certify_many(const slipproof_problem* problems, size_t count,
+                                        const slipproof_certify_options* options, slipproof_result* results,
+                                        unsigned threads, slipproof_error** error) {
+  return slipproof::c::call(error, [&] {
+    if (count == 0) return;
+    slipproof::c::need(problems, "problems");
+    slipproof::c::need(results, "results");
+    std::ranges::copy(slipproof::c::certify_many({problems, count}, slipproof::c::options_of(options), threads),
+                      results);
+  });
+}
+
 slipproof_judgement slipproof_verdict_judgement(const slipproof_verdict* v) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   if (v == nullptr) return {"", 0, nothing, nothing, ""};
-  return {v->verdict.c_str(), v->certified, v->error, v->backward_error, v->json.c_str()};
+  return {v->word.data(), v->certified, v->error, v->backward_error, v->json.c_str()};
 }
 
 void slipproof_verdict_free(slipproof_verdict* verdict) {

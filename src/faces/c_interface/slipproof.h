@@ -178,6 +178,22 @@ SLIPPROOF_API slipproof_status slipproof_certify(const slipproof_problem* proble
 SLIPPROOF_API slipproof_judgement slipproof_verdict_judgement(const slipproof_verdict* verdict);
 SLIPPROOF_API void slipproof_verdict_free(slipproof_verdict* verdict);
 
+/* The same without the texts. `verdict` is a text that is never freed. */
+typedef struct slipproof_result {
+  const char* verdict;
+  int certified;
+  double error;
+  double backward_error;
+} slipproof_result;
+
+/* Judges the answers to `count` problems, which may differ in size and share their arrays: results[i] is of
+ * problems[i]. A problem that cannot be judged makes the call fail; the error's argument is its number, from 1,
+ * "problems[3].mu". `threads`: 0 for all cores. */
+SLIPPROOF_API slipproof_status slipproof_certify_many(const slipproof_problem* problems, size_t count,
+                                                      const slipproof_certify_options* options,
+                                                      slipproof_result* results, unsigned threads,
+                                                      slipproof_error** error);
+
 /* ---- Many bicycles at once ---- */
 
 /* One number for each bicycle; if `size` is 1, the same for all; if it is 0, the number is not given. */

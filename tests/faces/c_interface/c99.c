@@ -155,6 +155,28 @@ static void answers_are_judged(void) {
   }
 }
 
+static void many_answers_are_judged(void) {
+  static const double W[] = {2, 1, 1, 2}, q[] = {-5, -6}, right[] = {4.0 / 3, 7.0 / 3}, wrong[] = {2.5, 0};
+  static const double one[] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, falls[] = {-9.81, 0.5, 0.5}, holds[] = {9.81, -0.5, -0.5};
+  static const double mu[] = {0.3}, negative[] = {-1};
+  slipproof_problem problems[] = {
+      {2, 1, W, q, NULL, right, NULL}, {2, 1, W, q, NULL, wrong, NULL}, {3, 3, one, falls, mu, holds, NULL}};
+  slipproof_result results[3] = {{"none", 0, 0, 0}};
+  slipproof_error* error = NULL;
+  expect(slipproof_certify_many(problems, 3, NULL, results, 2, NULL) == SLIPPROOF_OK, "many answers are judged");
+  expect(strcmp(results[0].verdict, "certified") == 0 && results[0].certified, "the first in exact numbers");
+  expect(strcmp(results[1].verdict, "wrong") == 0 && !results[1].certified, "the second is wrong");
+  expect(strcmp(results[2].verdict, "solution within rho") == 0 && results[2].certified, "the third in space");
+  expect(results[2].error < 1e-9 && results[2].backward_error < 1e-9 && isnan(results[0].backward_error), "errors");
+  problems[2].mu = negative;
+  results[0].verdict = "none";
+  expect(slipproof_certify_many(problems, 3, NULL, results, 0, &error) == SLIPPROOF_BAD_ARGUMENT, "mu < 0");
+  expect(strncmp(slipproof_error_message(error), "problems[3]", 11) == 0, "which problem is wrong");
+  expect(strcmp(results[0].verdict, "none") == 0, "nothing is written where something is wrong");
+  slipproof_error_free(error);
+  expect(slipproof_certify_many(NULL, 0, NULL, NULL, 0, NULL) == SLIPPROOF_OK, "no problem at all");
+}
+
 static void all_solutions_are_found(void) {
   static const double W[] = {1.25, 1, 0, 1, 5, 0, 0, 0, 5.0625}, q[] = {0.09375, 3.375, 2.09375}, mu[] = {1.75};
   static const double lifts[] = {0, 0, 0};
@@ -195,6 +217,7 @@ int main(void) {
   motions_are_certified_as_answers();
   a_bicycle_outside_the_domain_is_refused();
   answers_are_judged();
+  many_answers_are_judged();
   all_solutions_are_found();
   mistakes_have_places();
   return failures;
