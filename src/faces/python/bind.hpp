@@ -21,6 +21,7 @@ void bind_calls(pybind11::module_& module);
 void bind_scenes(pybind11::module_& module);
 void bind_bicycles(pybind11::module_& module);
 void bind_contacts(pybind11::module_& module);
+void bind_exact_problems(pybind11::module_& module);
 void bind_records(pybind11::module_& module);
 void bind_papers(pybind11::module_& module);
 void bind_pictures(pybind11::module_& module);

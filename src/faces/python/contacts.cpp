@@ -1,27 +1,24 @@
-#include <fmt/format.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "base/number/binary64.hpp"
 #include "base/number/parse.hpp"
 #include "base/parallel/in_parallel.hpp"
 #include "contact/formats/problem_check.hpp"
 #include "contact/formats/read_files.hpp"
 #include "contact/judge/certificate.hpp"
+#include "faces/python/arrays.hpp"
 #include "faces/python/bind.hpp"
 #include "faces/python/interruptible.hpp"
 #include "faces/python/numbers.hpp"
-#include "records/certify/certify.hpp"
 #include "records/problems/contact_file.hpp"
-#include "records/problems/problem_judge.hpp"
+#include "records/problems/problem_batch.hpp"
 #include "report/html/contact_report.hpp"
 #include "report/scenes/contact_words.hpp"
 
@@ -30,116 +27,7 @@ namespace slipproof::python {
 namespace {
 
 namespace py = pybind11;
-using Doubles = py::array_t<double, py::array::c_style>;
 using Indices = py::array_t<std::int64_t, py::array::c_style>;
-
-std::vector<double> copied(const Doubles& values) {
-  return {values.data(), values.data() + values.size()};
-}
-
-// Small problems, in exact numbers: finds every solution.
-
-/// Numbers from Python: an array of binary64, or exact ones as a list of texts.
-class Numbers {
- public:
-  Numbers() = default;
-  explicit Numbers(const py::object& given) {
-    if (given.is_none()) return;
-    if (py::isinstance<py::array>(given)) {
-      doubles_ = copied(given.cast<Doubles>());
-    } else {
-      for (const py::handle text : given) exact_.push_back(parse_rational(text.cast<std::string>()));
-    }
-  }
-
-  bool empty() const { return doubles_.empty() && exact_.empty(); }
-  /// The `size` numbers of one problem, which may be common to all problems.
-  std::vector<Rational> part(std::size_t problem, std::size_t size) const {
-    const std::size_t begin = first(problem, size);
-    std::vector<Rational> result;
-    result.reserve(size);
-    for (std::size_t i = begin; i < begin + size; ++i) {
-      result.push_back(exact_.empty() ? to_rational(doubles_[i]) : exact_[i]);
-    }
-    return result;
-  }
-  /// What is wrong with these numbers of an answer before it is judged; empty if nothing is.
-  std::string not_finite(std::size_t problem, std::size_t size, const char* name) const {
-    for (std::size_t i = 0; i < size && !doubles_.empty(); ++i) {
-      const double x = doubles_[first(problem, size) + i];
-      if (!std::isfinite(x)) return fmt::format("{}[{}]: found {}, expected a finite number", name, i, x);
-    }
-    return {};
-  }
-
- private:
-  std::size_t first(std::size_t problem, std::size_t size) const {
-    return std::max(doubles_.size(), exact_.size()) == size ? 0 : problem * size;
-  }
-
-  std::vector<double> doubles_;
-  std::vector<Rational> exact_;
-};
-
-/// Problems of the same size with their numbers in common lists: W (count, size, size), q, z and optionally w (count,
-/// size), mu (count, contacts). W and mu may be given once for all problems. Without contacts each is an LCP.
-struct ExactBatch {
-  std::size_t count = 0, size = 0, contacts = 0;
-  Numbers W, q, z, w, mu;
-  JudgeOptions options;
-  unsigned threads = 0;
-};
-
-ContactProblem problem_of(const ExactBatch& batch, std::size_t k) {
-  ContactProblem problem;
-  const std::vector<Rational> W = batch.W.part(k, batch.size * batch.size);
-  for (std::size_t i = 0; i < batch.size; ++i) {
-    const auto row = W.begin() + static_cast<std::ptrdiff_t>(i * batch.size);
-    problem.W.emplace_back(row, row + static_cast<std::ptrdiff_t>(batch.size));
-  }
-  problem.q = batch.q.part(k, batch.size);
-  problem.mu = batch.mu.part(k, batch.contacts);
-  return problem;
-}
-
-std::string exact_verdict(const ExactBatch& batch, std::size_t k) {
-  std::string reason = batch.z.not_finite(k, batch.size, "z");
-  if (reason.empty() && !batch.w.empty()) reason = batch.w.not_finite(k, batch.size, "w");
-  RecordJudgement judgement;
-  if (!reason.empty()) {
-    judgement = invalid_judgement(reason);
-  } else {
-    ProblemAnswer answer{batch.z.part(k, batch.size), std::nullopt, std::nullopt};
-    if (!batch.w.empty()) answer.w = batch.w.part(k, batch.size);
-    judgement = judge_problem(problem_of(batch, k), answer, batch.options);
-  }
-  std::string line;
-  append_line(line, k + 1, judgement);
-  return line;
-}
-
-/// A line of JSON for each problem, as `slipproof certify` writes it. `shape`: (problems, components, contacts).
-std::vector<std::string> certify_exact(const std::array<std::size_t, 3>& shape, const py::object& W,
-                                       const py::object& q, const py::object& z, const py::object& w,
-                                       const py::object& mu, double tolerance, Work effort, unsigned threads,
-                                       const py::object& progress) {
-  ExactBatch batch{shape[0],   shape[1],   shape[2],    Numbers(W), Numbers(q),
-                   Numbers(z), Numbers(w), Numbers(mu), {},         threads};
-  batch.options.tolerance = tolerance;
-  batch.options.effort = effort;
-  const auto work = [batch = std::move(batch)](Call& call) {
-    std::vector<std::string> lines(batch.count);
-    std::atomic<std::uint64_t> done = 0;
-    on_threads(batch.threads, [&] {
-      in_parallel(0, batch.count, [&](std::size_t k) {
-        lines[k] = exact_verdict(batch, k);
-        call.at(++done, batch.count);
-      });
-    });
-    return lines;
-  };
-  return interruptible(work, progress);
-}
 
 // Problems of any size.
 
@@ -249,6 +137,57 @@ SparseMatrix matrix_of(const py::tuple& parts, std::size_t size) {
   return from_csr(size, parts[0].cast<Indices>(), parts[1].cast<Indices>(), parts[2].cast<Doubles>());
 }
 
+/// Many problems: (index of each verdict in contact_verdicts, rho, backward error, lines). q, z and w have a row for
+/// each problem; W and mu may be the same for all of them.
+py::tuple certify_problems(const py::tuple& matrix, const Doubles& q, const std::optional<Doubles>& mu,
+                           std::size_t dimension, const std::optional<Doubles>& z, const std::optional<Doubles>& w,
+                           const SolverLaw& law, const ContactFileOptions& options, unsigned threads,
+                           const py::object& progress) {
+  const auto all = [](const std::optional<Doubles>& values) {
+    return values ? std::span(values->data(), static_cast<std::size_t>(values->size())) : std::span<const double>();
+  };
+  ProblemBatch batch;
+  batch.count = static_cast<std::size_t>(q.shape(0));
+  batch.common.form = dimension == 1 ? ProblemForm::complementarity : ProblemForm::local;
+  batch.common.dimension = dimension;
+  const std::optional<Doubles> each =
+      matrix.size() == 1 ? std::optional(matrix[0].cast<Doubles>()) : std::optional<Doubles>();
+  if (each && each->ndim() == 3) {
+    batch.W = all(each);
+  } else {
+    batch.common.W = matrix_of(matrix, static_cast<std::size_t>(q.shape(1)));
+  }
+  batch.q = all(q), batch.z = all(z), batch.w = all(w);
+  if (mu && mu->ndim() == 2) {
+    batch.mu = all(mu);
+  } else if (mu) {
+    batch.common.mu = copied(*mu);
+  }
+  law.put(batch.common);
+  BatchVerdicts found = interruptible(
+      [&](Call& call) {
+        return on_threads(threads, [&] {
+          return judge_batch(batch, options, [&](std::uint64_t done) { call.at(done, batch.count); });
+        });
+      },
+      progress, Uses::arrays);
+  py::array_t<std::uint8_t> codes(static_cast<py::ssize_t>(batch.count));
+  std::ranges::transform(found.verdicts, codes.mutable_data(),
+                         [](ContactVerdict verdict) { return static_cast<std::uint8_t>(verdict); });
+  const auto array = [](const std::vector<double>& values) {
+    return Doubles(static_cast<py::ssize_t>(values.size()), values.data());
+  };
+  return py::make_tuple(codes, array(found.rho), array(found.backward_error), std::move(found.lines));
+}
+
+py::tuple contact_verdicts() {
+  py::list names;
+  for (auto i = 0; i <= static_cast<int>(ContactVerdict::undecided); ++i) {
+    names.append(std::string(name(static_cast<ContactVerdict>(i))));
+  }
+  return py::tuple(names);
+}
+
 void bind_problems(py::module_& module) {
   py::class_<Judged>(module, "Judged")
       .def("__len__", &Judged::size)
@@ -257,7 +196,6 @@ void bind_problems(py::module_& module) {
       .def("refined", &Judged::refined)
       .def("certificate", &Judged::certificate)
       .def("report", &Judged::report);
-  module.def("certify_exact", &certify_exact);
   py::class_<ContactFileOptions>(module, "ContactOptions").def(py::init(&options_of));
   module.def(
       "certify_problem",
@@ -269,6 +207,16 @@ void bind_problems(py::module_& module) {
         const SolverLaw law{bounds, compliance, bias, slip_speed, function};
         return judged({"arguments", problem_of(std::move(W), q, mu, dimension, z, w, law), std::nullopt}, options);
       });
+  module.def(
+      "certify_problems",
+      [](const py::tuple& matrix, const Doubles& q, const std::optional<Doubles>& mu, std::size_t dimension,
+         const std::optional<Doubles>& z, const std::optional<Doubles>& w, const std::optional<Doubles>& bounds,
+         const std::optional<Doubles>& compliance, const std::optional<Doubles>& bias, std::optional<double> slip_speed,
+         const std::string& function, const ContactFileOptions& options, unsigned threads, const py::object& progress) {
+        const SolverLaw law{bounds, compliance, bias, slip_speed, function};
+        return certify_problems(matrix, q, mu, dimension, z, w, law, options, threads, progress);
+      });
+  module.attr("contact_verdicts") = contact_verdicts();
   module.def("exact", [](const std::string& text) { return to_python(parse_rational(text)); });
   module.def("law_words", &law_words);
   module.def("certify_problem_file",

@@ -9,6 +9,7 @@ PYBIND11_MODULE(_core, module) {
   bind_scenes(module);
   bind_bicycles(module);
   bind_contacts(module);
+  bind_exact_problems(module);
   bind_records(module);
   bind_papers(module);
   bind_pictures(module);

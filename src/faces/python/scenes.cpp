@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "base/input/diagnostic.hpp"
@@ -20,6 +22,7 @@
 #include "mechanics/reading/read_mechanism.hpp"
 #include "mechanics/reading/shipped.hpp"
 #include "mechanics/scene/solve_mechanism.hpp"
+#include "report/planes/rest_map_svg.hpp"
 #include "report/scenes/mechanism_report.hpp"
 #include "report/scenes/rest_report.hpp"
 #include "report/scenes/space_report.hpp"
@@ -164,18 +167,34 @@ py::object solve(const MechanismScene& scene) {
   return py::cast(SpaceSolution(interruptible([scene](Call&) { return solve_space(scene); })));
 }
 
-/// (document, text). An empty `parameter` asks for none; `tilt` has the three coordinates of an axis, or nothing.
-py::tuple rest(const MechanismScene& scene, const std::string& parameter, const std::vector<std::string>& tilt) {
+using TextRange = std::optional<std::pair<std::string, std::string>>;
+
+RestMap::Frame frame_of(const char* name, const TextRange& range) {
+  if (!range) return {};
+  RestMap::Frame frame{parse_rational(range->first), parse_rational(range->second)};
+  if (*frame.from < *frame.to) return frame;
+  throw std::invalid_argument(std::string(name) +
+                              ": found a range that ends where it begins, expected a number below " + "the other");
+}
+
+/// (document, text, picture of the map). An empty `parameter` asks for none; `tilt` has the three coordinates of an
+/// axis, or nothing; `map` two symbols, or nothing.
+py::tuple rest(const MechanismScene& scene, const std::string& parameter, const std::vector<std::string>& tilt,
+               const std::vector<std::string>& map, const TextRange& x_range, const TextRange& y_range) {
   RestQuestions questions;
   questions.parameter = parameter;
   if (!tilt.empty()) {
     questions.tilt = {parse_rational(tilt.at(0)), parse_rational(tilt.at(1)), parse_rational(tilt.at(2))};
   }
-  const auto [document, words] = interruptible([scene, questions](Call&) {
+  if (!map.empty()) {
+    questions.map = {map.at(0), map.at(1), frame_of("x_range", x_range), frame_of("y_range", y_range)};
+  }
+  const auto [document, words, picture] = interruptible([scene, questions](Call&) {
     const RestAnswer answer = find_rest(scene, questions);
-    return std::pair(rest_json(answer), text_of(rest_document(answer, 6)));
+    return std::tuple(rest_json(answer), text_of(rest_document(answer, 6)),
+                      answer.map ? rest_map_svg_file(answer) : std::string());
   });
-  return py::make_tuple(document, words);
+  return py::make_tuple(document, words, picture);
 }
 
 /// (document, text). An empty `x` stands for the usual parameter.

@@ -1,6 +1,7 @@
 """Verdicts: the program's, from arrays."""
 
 import json
+import pickle
 
 import numpy as np
 import pytest
@@ -74,6 +75,68 @@ def test_a_batch_is_its_problems():
     assert found[2:4][1] == found[3]
 
 
+def gauss_seidel(W, q, mu, sweeps=400):
+    """Forces in Coulomb's cones, contact by contact, with steps by the largest entry of each block."""
+    z = np.zeros_like(q)
+    for _ in range(sweeps):
+        for c in range(len(mu)):
+            i = slice(3 * c, 3 * c + 3)
+            u = W[i] @ z + q[i]
+            u[0] += mu[c] * np.hypot(u[1], u[2])
+            r = z[i] - u / np.abs(W[i, i]).sum(1).max()
+            size = np.hypot(r[1], r[2])
+            if mu[c] * size <= -r[0]:
+                r[:] = 0
+            elif size > mu[c] * r[0]:
+                normal = (r[0] + mu[c] * size) / (1 + mu[c] ** 2)
+                r[1:] *= mu[c] * normal / size
+                r[0] = normal
+            z[i] = r
+    return z
+
+
+def in_space(k, contacts, seed=5):
+    r = np.random.default_rng(seed)
+    B = r.normal(size=(k, 3 * contacts, 3 * contacts))
+    W = np.einsum("kij,klj->kil", B, B) + 3 * contacts * np.eye(3 * contacts)
+    q = r.normal(size=(k, 3 * contacts))
+    q[:, ::3] -= 1
+    mu = r.uniform(0, 1, size=(k, contacts))
+    return W, q, mu, np.array([gauss_seidel(*one) for one in zip(W, q, mu)])
+
+
+def test_a_batch_in_space_is_its_problems():
+    W, q, mu, z = in_space(24, 2)
+    z[3] *= 1.01
+    z[4, 0] = np.nan
+    z[5] += 1
+    singles = [slipproof.certify(*one, dimension=3) for one in zip(W, q, z, mu)]
+    seen = []
+    batch = slipproof.certify(W, q, z, mu, dimension=3, threads=2, progress=lambda done, every: seen.append((done, every)))
+    plain = [{**v.to_dict(), "record": 0, "problem": ""} for v in singles]
+    assert [{**v.to_dict(), "record": 0, "problem": ""} for v in batch] == plain
+    assert list(batch.verdicts) == [v.verdict for v in singles] and [v.record for v in batch] == list(range(1, 25))
+    assert batch.verdicts[4] == "invalid" and np.isnan(batch.backward_error[4]) and not batch.certified
+    for i, verdict in enumerate(singles):
+        assert ("rho" in verdict.details) != bool(np.isnan(batch.rho[i]))
+        if "rho" in verdict.details:
+            assert batch.rho[i] <= float(verdict.rho) <= batch.rho[i] * (1 + 1e-2)
+    good = [i for i in range(24) if i not in (3, 4, 5)]
+    assert slipproof.certify(W[good], q[good], z[good], mu[good], dimension=3).certified
+    assert slipproof.certify(W, q, z, mu, dimension=3, threads=1) == batch and seen and seen[-1][1] == 24
+    assert sum(batch.counts().values()) == 24 and pickle.loads(pickle.dumps(batch)) == batch
+    found = slipproof.certify(W[:3], q[:3], mu=mu[:3], dimension=3, refine=True)
+    assert found.certified and (found.rho < 1e-6).all()
+    same = slipproof.certify(W[0], q[:6], np.tile(z[0], (6, 1)), 0.5, dimension=3)
+    assert list(same.verdicts) == [slipproof.certify(W[0], q[i], z[0], 0.5, dimension=3).verdict for i in range(6)]
+    with pytest.raises(slipproof.InputError, match="problem 2"):
+        slipproof.certify(np.where(np.arange(24)[:, None, None] == 1, np.nan, W), q, z, mu, dimension=3)
+    for wrong in (dict(W=W[:3]), dict(z=z[:3]), dict(mu=mu[:3])):
+        with pytest.raises(ValueError, match=next(iter(wrong))):
+            slipproof.certify(**{**dict(W=W, q=q, z=z, mu=mu), **wrong}, dimension=3)
+    assert len(slipproof.certify(W[:0], q[:0], z[:0], mu[:0], dimension=3)) == 0
+
+
 def test_all_solutions_in_space():
     W, q = [[1.25, 1, 0], [1, 5, 0], [0, 0, 5.0625]], [0.09375, 3.375, 2.09375]  # a leaning body
     found = slipproof.certify(W, q, mu=1.75, all=True)
@@ -93,6 +156,25 @@ def test_friction_in_the_plane_and_in_space():
     space = slipproof.certify(np.eye(3), [-9.81, 0.5, 0.5], [9.81, -0.5, -0.5], 0.3)
     assert space.verdict == "solution within rho" and space.certified and space.unique == "locally"
     assert slipproof.certify(np.eye(3), [-9.81, 0.5, 0.5], [9.81, -0.5, -0.5], [0.3]).verdict == space.verdict
+
+
+def test_limits_and_motors_are_contacts():
+    # A block of mass 1 on a floor is pushed by 5 to the right, against a limit, and by a motor that may exert b.
+    rows = np.array([[0, 0, 1], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0], [1, 0, 0], [0, 0, 0]], float)
+    push = np.array([5, 0, -10])
+
+    def verdict(mu_floor, b, r, with_limit=False):
+        used = [0, 1, 2, *([3, 4, 5] if with_limit else []), 6, 7, 8]
+        W, q, mu = rows[used] @ rows[used].T, rows[used] @ push, [mu_floor, *([0] if with_limit else []), b]
+        W[-3, -3], W[-1, -1], q[-3] = 1, 1, -1
+        return slipproof.certify(W, q, r, mu, dimension=3)
+
+    held, given_way = verdict(0, 8, [10, 0, 0, 1, -5, 0]), verdict(0, 2, [10, 0, 0, 1, -2, 0])
+    assert held.certified and given_way.certified
+    assert not verdict(0, 8, [10, 0, 0, 1, -4, 0]).certified and not verdict(0, 2, [10, 0, 0, 1, -3, 0]).certified
+    assert verdict(0.1, 2, [10, -1, 0, 1, -2, 0]).certified  # both rub
+    assert verdict(0, 2, [10, 0, 0, 3, 0, 0, 1, -2, 0], with_limit=True).certified
+    assert not verdict(0, 2, [10, 0, 0, 2, 0, 0, 1, -2, 0], with_limit=True).certified
 
 
 def test_at_real_size_there_is_more_to_ask():

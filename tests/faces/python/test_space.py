@@ -96,7 +96,7 @@ def test_what_is_in_the_plane_only_says_so():
         sledge().solve({"mu": "1/2"})
 
 
-def test_rest_is_the_document_of_the_program(program):
+def test_rest_is_the_document_of_the_program(program, tmp_path):
     board = "cases/rest/block-on-board.toml"
     rest = slipproof.Scene.load(board).rest(tilt=(1, 0, 0))
     assert rest.to_dict() == program("rest", "--json", "--tilt", "1,0,0", board)
@@ -105,6 +105,21 @@ def test_rest_is_the_document_of_the_program(program):
     assert wedge.can_rest and wedge.must_rest is False and "motion" in wedge.because
     slope = slipproof.Scene.load("cases/rest/block-on-slope.toml").rest(parameter="mu_s")
     assert slope.parameter == (Fraction(3, 4), None)
+    table = "cases/rest/table-pulled-at-its-edge.toml"
+    assert slipproof.Scene.load(table).rest().map is None
+    pulled = slipproof.Scene.load(table).rest(map=("H", "P"))
+    assert pulled.to_dict() == program("rest", "--json", "--map", "H", "P", table)
+    assert pulled.map.exact and pulled.map.inside[2] == (Fraction(80, 7), Fraction(-240, 7))
+    assert set(pulled.map.around) == set(pulled.map.inside) and pickle.loads(pickle.dumps(pulled)).map == pulled.map
+    program("rest", "--quiet", "--map", "H", "P", "-o", str(tmp_path / "map.svg"), table, parse=False)
+    assert pulled.map.svg == (tmp_path / "map.svg").read_text()
+    framed = slipproof.Scene.load(table).rest(map=("H", "P"), x_range=(0, 20), y_range=(-10, 10)).map
+    assert set(framed.inside) == {(0, -10), (0, 10), (17.5, -10), (20, 0), (20, 10)}
+    for wrong in ({"map": "HP"}, {"map": ("H",)}, {"x_range": (0, 1)}, {"map": ("H", "P"), "x_range": (1, 1)}):
+        with pytest.raises(ValueError, match="map|x_range"):
+            slipproof.Scene.load(table).rest(**wrong)
+    with pytest.raises(slipproof.InputError, match="mu"):
+        slipproof.Scene.load(table).rest(map=("H", "mu"))
     for axis in (True, (1, 0)):
         with pytest.raises(ValueError, match="tilt"):
             slipproof.Scene.load(board).rest(tilt=axis)

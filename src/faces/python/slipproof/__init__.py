@@ -25,14 +25,14 @@ from ._phase import PhaseDiagram, phase_diagram
 from ._progress import ProgressBar
 from ._scene import Scene, solve
 from ._solution import Cell, Continuum, Motion, Range, Rejected, Solution
-from ._space import Rest, SpaceMotion, SpaceSolution
+from ._space import Rest, RestMap, SpaceMotion, SpaceSolution
 from ._uniqueness import Critical, critical
-from ._verdicts import Verdict, Verdicts
+from ._verdicts import CONTACT_VERDICTS, BatchVerdicts, Verdict, Verdicts
 
 __all__ = [
-    "MODES", "VERDICTS", "Affine", "BicycleVerdicts", "Body", "Bounds", "Cell", "Check", "CheckedCertificate", "ClaimVerdict", "ConsistentModes", "Contact", "Continuum", "Critical",
+    "CONTACT_VERDICTS", "MODES", "VERDICTS", "Affine", "BatchVerdicts", "BicycleVerdicts", "Body", "Bounds", "Cell", "Check", "CheckedCertificate", "ClaimVerdict", "ConsistentModes", "Contact", "Continuum", "Critical",
     "Diagnostic", "Force", "Friction",
-    "InputError", "Interval", "Joint", "Mechanism", "Motion", "PhaseDiagram", "ProgressBar", "Proof", "Range", "Rejected", "Rest", "Scene",
+    "InputError", "Interval", "Joint", "Mechanism", "Motion", "PhaseDiagram", "ProgressBar", "Proof", "Range", "Rejected", "Rest", "RestMap", "Scene",
     "Search", "Solution", "SpaceMotion", "SpaceSolution", "TooMuchWork", "Torque", "Verdict", "Verdicts", "Verification", "__version__", "certify",
     "certify_bicycles", "certify_file",
     "check", "consistent_modes", "critical", "phase_diagram", "prove", "search", "shipped_mechanisms", "solve", "verify",

@@ -16,13 +16,15 @@ from ._arrays import Array, Doubles, doubles, numbers, one_of, real, rounded_now
 from ._errors import wrong_type, wrong_value
 from ._numbers import Number
 from ._progress import Progress, reporter
-from ._verdicts import JudgedVerdicts, Verdict, Verdicts
+from ._verdicts import BatchVerdicts, JudgedVerdicts, Verdict, Verdicts
 
 #: Sizes up to which every solution of a problem is looked for in exact arithmetic, unless the caller wants otherwise.
 EXACT_UP_TO = 64
 _EFFORT = 1_500_000_000
 #: bounds, compliance, bias, slip speed, function
 _Solver = Tuple[Optional[Doubles], Optional[Doubles], Optional[Doubles], Optional[float], str]
+#: matrix, q, mu, dimension, z, w
+_Given = Tuple[Tuple[Any, ...], Doubles, Optional[Doubles], int, Optional[Doubles], Optional[Doubles]]
 _LAWS = tuple(_core.law_words())
 
 
@@ -105,9 +107,10 @@ def certify(W: Any, q: Any, z: Any = None, mu: Any = None, *, w: Any = None, dim
     (N, T1, T2) in space. ``dimension`` is 2 or 3; it is required if the sizes do not determine it (one ``mu``, and a
     multiple of 6 components). ``W`` is an array of shape (n, n), or a sparse matrix of SciPy; ``q``, ``z`` and the
     optional ``w``, the solver's velocities, have n components. Arrays of shapes (k, n, n) and (k, n) are k problems and
-    give k :class:`Verdicts`; ``W`` of shape (n, n) is the same for all of them. Numbers may be float, int, Fraction,
-    Decimal or texts (``"1/3"``), and are taken exactly; any consistent units do. A NaN or an infinity in z makes the
-    answer ``invalid``.
+    give k :class:`Verdicts`; ``W`` of shape (n, n), or a sparse one, is the same for all of them. In space, and wherever
+    else ``exact`` does not judge them, they are :class:`BatchVerdicts`, whose verdicts, radii and backward errors are
+    arrays. Numbers may be float, int, Fraction, Decimal or texts (``"1/3"``), and are taken exactly; any consistent units
+    do. A NaN or an infinity in z makes the answer ``invalid``.
 
     ``method``: ``exact`` finds every solution of an LCP or a planar problem with up to 64 components, in exact
     arithmetic (``certified``, ``ambiguous``, ``inaccurate``, ``wrong``); ``enclosure`` proves what it can at any size
@@ -151,8 +154,6 @@ def certify(W: Any, q: Any, z: Any = None, mu: Any = None, *, w: Any = None, dim
     if z is None and not refine and not all:
         raise wrong_value("z", "None", "an answer, refine=True or all=True")
     if method == "enclosure" or not can_be_exact:
-        if q_array.ndim != 1:
-            raise wrong_value("q", f"shape {q_array.shape}", "one problem, (n,), for what is not decided exactly")
         options = _core.ContactOptions(real("tolerance", 1e-6 if tolerance is None else tolerance, 0, 1),
                                        None if within is None else real("within", within, 0, 1e300), bool(refine), bool(all), law,
                                        None if effort is None else whole("effort", effort, 1, 2**63))
@@ -160,8 +161,13 @@ def certify(W: Any, q: Any, z: Any = None, mu: Any = None, *, w: Any = None, dim
         solver: _Solver = (
             _each("bounds", bounds, tangential), _each("compliance", compliance, size), _each("bias", bias, size),
             None if slip_speed is None else real("slip_speed", slip_speed, 0, 1e300), function)
-        return _certify_any(W, rounded_nowhere("q", q_array), z, w,
-                            None if mu_array is None else rounded_nowhere("mu", mu_array), dims, solver, options)
+        given = _arrays(W, rounded_nowhere("q", q_array), z, w,
+                        None if mu_array is None else rounded_nowhere("mu", mu_array), dims)
+        if q_array.ndim == 1:
+            judged = _core.certify_problem(*given, *solver, options)
+            return Verdict(judged.line(0), judged, 0)
+        return BatchVerdicts(*_core.certify_problems(*given, *solver, options, whole("threads", threads, 0, 4096),
+                                                     reporter(progress)))
     return _certify_exact(W, q_array, z, w, mu_array, real("tolerance", 1e-6 if tolerance is None else tolerance, 0, 1),
                           whole("effort", _EFFORT if effort is None else effort, 1, 2**63),
                           whole("threads", threads, 0, 4096), reporter(progress))
@@ -177,15 +183,28 @@ def _each(name: str, value: Any, size: int) -> Optional[Doubles]:
     return shaped(name, array, (size,), f"as that many components have {'one' if name == 'bounds' else 'it'}")
 
 
-def _certify_any(W: Any, q: Doubles, z: Any, w: Any, mu: Optional[Doubles], dimension: int, solver: _Solver,
-                 options: "_core.ContactOptions") -> Verdict:
-    n = q.shape[0]
-    why = f"as q has {n} components"
-    matrix = _sparse(W, n) if _is_sparse(W) else (rounded_nowhere("W", shaped("W", W, (n, n), why)),)
-    z_array = None if z is None else rounded_nowhere("z", shaped("z", z, (n,), why))
-    w_array = None if w is None else rounded_nowhere("w", shaped("w", w, (n,), why))
-    judged = _core.certify_problem(matrix, q, mu, dimension, z_array, w_array, *solver, options)
-    return Verdict(judged.line(0), judged, 0)
+def _arrays(W: Any, q: Doubles, z: Any, w: Any, mu: Optional[Doubles], dimension: int) -> _Given:
+    """The numbers of one problem, or of as many as q has rows."""
+    n = q.shape[-1]
+    why = f"as q has {n} components" if q.ndim == 1 else f"as q has shape {q.shape}"
+    if mu is not None and mu.ndim == 2 and mu.shape[:-1] != q.shape[:-1]:
+        raise wrong_value("mu", f"shape {mu.shape}", f"({q.shape[0]}, {mu.shape[-1]}) {why}")
+    if _is_sparse(W):
+        matrix = _sparse(W, n)
+    else:
+        dense = shaped("W", W, (n, n), why) if q.ndim == 1 else _matrices(W, q.shape, why)
+        matrix = (rounded_nowhere("W", dense),)
+    z_array = None if z is None else rounded_nowhere("z", shaped("z", z, q.shape, why))
+    w_array = None if w is None else rounded_nowhere("w", shaped("w", w, q.shape, why))
+    return matrix, q, mu, dimension, z_array, w_array
+
+
+def _matrices(W: Any, shape: Tuple[int, ...], why: str) -> Array:
+    """A matrix for each problem, or one for all of them."""
+    array = numbers("W", W, (2, 3))
+    if array.shape not in ((*shape, shape[-1]), (shape[-1], shape[-1])):
+        raise wrong_value("W", f"shape {array.shape}", f"{(*shape, shape[-1])} {why}")
+    return array
 
 
 def _finite(name: str, array: Optional[Array]) -> None:
@@ -199,8 +218,8 @@ def _certify_exact(W: Any, q: Array, z: Any, w: Any, mu: Optional[Array], tolera
                    threads: int, progress: Optional[Callable[[int, int], object]]) -> Union[Verdict, Verdicts]:
     shape, n = q.shape, q.shape[-1]
     why = f"as q has shape {shape}"
-    W_array = numbers("W", W, (2, 3) if len(shape) == 2 else (2,))
-    if W_array.shape not in ((*shape, n), (n, n)):  # one for all problems
+    W_array = _matrices(W, shape, why) if len(shape) == 2 else numbers("W", W, (2,))
+    if W_array.shape not in ((*shape, n), (n, n)):
         raise wrong_value("W", f"shape {W_array.shape}", f"{(*shape, n)} {why}")
     z_array = shaped("z", z, shape, why)
     w_array = None if w is None else shaped("w", w, shape, why)

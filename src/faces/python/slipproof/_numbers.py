@@ -12,6 +12,7 @@ from ._result import Result
 
 #: What counts as a number: a float is taken exactly as it is, a text as it is written (``"3/4"``, ``"0.1"``).
 Number = Union[int, float, Fraction, Decimal, str]
+Ends = Optional[Tuple[Number, Number]]
 
 
 def _digits(n: int) -> str:
@@ -20,6 +21,16 @@ def _digits(n: int) -> str:
 
 def _integer(digits: str) -> int:
     return int(digits) if len(digits) < 4_000 else int(Decimal(digits))
+
+
+def ends_text(name: str, ends: Any) -> Optional[Tuple[str, str]]:
+    """A pair of numbers as texts. ``name`` is its name in messages."""
+    if ends is None:
+        return None
+    if isinstance(ends, str) or not hasattr(ends, "__len__") or len(ends) != 2:
+        raise wrong_type(name, ends, "a pair of numbers")
+    first, last = ends
+    return text_of(first, f"{name}[0]"), text_of(last, f"{name}[1]")
 
 
 def text_of(value: Any, name: str) -> str:

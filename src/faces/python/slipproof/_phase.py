@@ -11,10 +11,8 @@ from ._arrays import whole
 from ._result import Document
 from ._errors import wrong_type, wrong_value
 from ._html import COLOURS
-from ._numbers import Number, fraction, text_of
+from ._numbers import Ends, ends_text, fraction
 from ._scene import as_scene
-
-_Ends = Optional[Tuple[Number, Number]]
 
 
 class PhaseDiagram(Document):
@@ -105,16 +103,7 @@ def _sides(columns: List[float], xs: List[float]) -> Tuple[List[float], List[flo
     return [left[x] for x in xs], [right[x] - left[x] for x in xs]
 
 
-def _range(name: str, ends: Any) -> Optional[Tuple[str, str]]:
-    if ends is None:
-        return None
-    if isinstance(ends, str) or not hasattr(ends, "__len__") or len(ends) != 2:
-        raise wrong_type(name, ends, "a pair of numbers")
-    first, last = ends
-    return text_of(first, f"{name}[0]"), text_of(last, f"{name}[1]")
-
-
-def phase_diagram(scene: Any, *, x: str = "", y: str = "", x_range: _Ends = None, y_range: _Ends = None,
+def phase_diagram(scene: Any, *, x: str = "", y: str = "", x_range: Ends = None, y_range: Ends = None,
                   columns: int = 240, ax: Any = None) -> PhaseDiagram:
     """The phase diagram of a scene: a parameter on the horizontal axis, the load on the vertical axis.
 
@@ -127,8 +116,8 @@ def phase_diagram(scene: Any, *, x: str = "", y: str = "", x_range: _Ends = None
         if not isinstance(symbol, str):
             raise wrong_type(name, symbol, "the symbol of a parameter")
     made = as_scene(scene, {})
-    diagram = PhaseDiagram(*_core.phase_diagram(*made._source(), x, y, _range("x_range", x_range),
-                                                _range("y_range", y_range), whole("columns", columns, 2, 10_000)))
+    diagram = PhaseDiagram(*_core.phase_diagram(*made._source(), x, y, ends_text("x_range", x_range),
+                                                ends_text("y_range", y_range), whole("columns", columns, 2, 10_000)))
     if ax is not None:
         diagram.draw(ax)
     return diagram

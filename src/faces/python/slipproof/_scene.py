@@ -10,7 +10,7 @@ from typing import Any, Dict, List, Mapping, Sequence, Tuple, Union
 from . import _core
 from ._errors import Diagnostic, InputError, wrong_type, wrong_value
 from ._result import Result
-from ._numbers import Number, text_of
+from ._numbers import Ends, Number, ends_text, text_of
 from ._solution import Solution
 from ._space import Rest, SpaceSolution
 
@@ -198,10 +198,12 @@ class Scene(Result):
         solution._solution  # noqa: B018 - solved here, not at the first look
         return solution
 
-    def rest(self, *, parameter: str = "", tilt: Union[bool, Sequence[Number]] = False) -> Rest:
+    def rest(self, *, parameter: str = "", tilt: Union[bool, Sequence[Number]] = False,
+             map: Sequence[str] = (), x_range: Ends = None, y_range: Ends = None) -> Rest:
         """Whether it can rest, whether it must, and at which loads; with ``parameter``, at which of its values; with
-        ``tilt``, up to which angle gravity can turn about this axis. In the plane ``tilt=True``. Raises InputError for a
-        scene that moves."""
+        ``tilt``, up to which angle gravity can turn about this axis (in the plane ``tilt=True``); with ``map``, at which
+        values of these two loads, within ``x_range`` and ``y_range``, pairs of numbers. Raises InputError for a scene that
+        moves, and for symbols that are no loads."""
         if isinstance(tilt, bool):
             if tilt and self.dimension == 3:
                 raise wrong_value("tilt", tilt, "an axis, such as (0, 1, 0)")
@@ -210,7 +212,12 @@ class Scene(Result):
             raise wrong_value("tilt", tilt, "three coordinates of an axis")
         else:
             axis = tilt
-        return Rest(*self._scene.rest(parameter, [text_of(x, "tilt") for x in axis]))
+        if isinstance(map, str) or len(map) not in (0, 2) or not all(isinstance(symbol, str) for symbol in map):
+            raise wrong_value("map", map, "the symbols of two loads")
+        if not map and (x_range or y_range):
+            raise wrong_value("map", map, "the symbols of the loads that have ranges")
+        return Rest(*self._scene.rest(parameter, [text_of(x, "tilt") for x in axis], list(map),
+                                      ends_text("x_range", x_range), ends_text("y_range", y_range)))
 
     def __repr__(self) -> str:
         return f"<slipproof.Scene {self.name!r}>"

@@ -6,8 +6,8 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any, Dict, List, Mapping, Optional, Tuple
 
-from ._numbers import SpaceNumber, Values, enclosed, value
-from ._result import Report
+from ._numbers import SpaceNumber, Values, enclosed, fraction, value
+from ._result import Report, Result
 from ._solution import Motion, Solution
 
 
@@ -80,6 +80,35 @@ class SpaceSolution(Solution):
         return motion is not None and motion.exists and (motion.unique or motion.others_within == 0)
 
 
+class RestMap(Result):
+    """The values of two loads at which a scene can rest. It can at each of the corners ``inside`` and between them, and
+    nowhere beyond the corners ``around``; both go counterclockwise, and are the same if ``exact``. ``gap`` is the largest
+    distance between them, in widths and heights of ``around``. ``none``: it rests nowhere. ``svg`` is the picture."""
+
+    __slots__ = ("x", "y", "inside", "around", "none", "exact", "decided", "gap", "svg", "_details")
+
+    def __init__(self, details: Mapping[str, Any], svg: str):
+        self._details = details
+        self.svg = svg
+        self.x: str = details["x"]
+        self.y: str = details["y"]
+        self.inside = [(fraction(corner["x"]), fraction(corner["y"])) for corner in details["inside"]]
+        self.around = [(fraction(x), fraction(y)) for x, y in details["around"]]
+        self.none: bool = details["none"]
+        self.exact: bool = details["exact"]
+        self.decided: bool = details["decided"]
+        self.gap: float = details["gap"]
+
+    def _parts(self) -> Tuple[Any, ...]:
+        return self._details, self.svg
+
+    def _repr_svg_(self) -> str:
+        return self.svg
+
+    def __repr__(self) -> str:
+        return f"<slipproof.RestMap of {self.x} and {self.y}, {len(self.inside)} corners>"
+
+
 class Rest(Report):
     """Whether a scene can rest, whether it must, and up to where, as :meth:`Scene.rest` finds it.
 
@@ -88,6 +117,13 @@ class Rest(Report):
     >>> rest.can_rest, rest.load[1]
     (True, Fraction(981, 11))
     """
+
+    def __init__(self, document: str, text: str, picture: str):
+        super().__init__(document, text)
+        self._picture = picture
+
+    def _parts(self) -> Tuple[Any, ...]:
+        return self._json, self._text, self._picture
 
     @cached_property
     def _document(self) -> Dict[str, Any]:
@@ -140,6 +176,12 @@ class Rest(Report):
         """The tangent of the greatest angle; None at 90 degrees or beyond, or if it was not asked for."""
         tilt = self._document["tilt"]
         return tilt and tilt["tangent"] and enclosed(tilt["tangent"])
+
+    @property
+    def map(self) -> Optional[RestMap]:
+        """The map of two loads; None if it was not asked for, or the effort was not enough for one."""
+        found = self._document["map"]
+        return found and RestMap(found, self._picture)
 
     def _ends(self, what: str) -> Tuple[Optional[SpaceNumber], Optional[SpaceNumber]]:
         found = self._document[what] or {"from": None, "to": None}

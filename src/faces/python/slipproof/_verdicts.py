@@ -20,6 +20,9 @@ _CERTIFIED = (
     "velocities of a solution within rho",
 )
 
+#: The words of verdicts on answers to contact problems at real size.
+CONTACT_VERDICTS: Tuple[str, ...] = _core.contact_verdicts
+
 
 class _Kept:
     """What the library says about answers, as texts: in the place of its own object in a copy or a pickle."""
@@ -188,6 +191,41 @@ class Verdicts(Result, Sequence[Verdict]):
 
     def _repr_html_(self) -> str:
         return table(["verdict", "answers"], [[verdict, str(count)] for verdict, count in self.counts().items()])
+
+
+class BatchVerdicts(Verdicts):
+    """Verdicts on many problems of one size that were judged at real size, as arrays: ``codes`` has the index of each
+    verdict in CONTACT_VERDICTS, ``rho`` within which a solution is (NaN where none is known), ``backward_error`` (NaN of an
+    invalid answer)."""
+
+    def __init__(self, codes: "npt.NDArray[np.uint8]", rho: "npt.NDArray[np.float64]",
+                 backward_error: "npt.NDArray[np.float64]", lines: List[str]):
+        super().__init__(lines)
+        self.codes, self.rho, self.backward_error = codes, rho, backward_error
+
+    def _parts(self) -> Tuple[Any, ...]:
+        return self.codes, self.rho, self.backward_error, self._lines
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, BatchVerdicts) and self._lines == other._lines
+
+    def __hash__(self) -> int:
+        return hash(tuple(self._lines))
+
+    @property
+    def verdicts(self) -> "npt.NDArray[np.str_]":
+        """The verdict on each answer, as a text."""
+        return np.array(CONTACT_VERDICTS)[self.codes]
+
+    def counts(self) -> Dict[str, int]:
+        """How many answers have each verdict."""
+        counts = np.bincount(self.codes, minlength=len(CONTACT_VERDICTS))
+        return {name: int(n) for name, n in zip(CONTACT_VERDICTS, counts) if n}
+
+    @property
+    def certified(self) -> bool:
+        """Whether there are answers and all of them are certified."""
+        return len(self) > 0 and set(self.counts()) <= set(_CERTIFIED)
 
 
 class JudgedVerdicts(Verdicts):
