@@ -2,6 +2,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -137,33 +138,33 @@ SparseMatrix matrix_of(const py::tuple& parts, std::size_t size) {
   return from_csr(size, parts[0].cast<Indices>(), parts[1].cast<Indices>(), parts[2].cast<Doubles>());
 }
 
-/// Many problems: (index of each verdict in contact_verdicts, rho, backward error, lines). q, z and w have a row for
-/// each problem; W and mu may be the same for all of them.
-py::tuple certify_problems(const py::tuple& matrix, const Doubles& q, const std::optional<Doubles>& mu,
-                           std::size_t dimension, const std::optional<Doubles>& z, const std::optional<Doubles>& w,
-                           const SolverLaw& law, const ContactFileOptions& options, unsigned threads,
-                           const py::object& progress) {
-  const auto all = [](const std::optional<Doubles>& values) {
-    return values ? std::span(values->data(), static_cast<std::size_t>(values->size())) : std::span<const double>();
-  };
-  ProblemBatch batch;
-  batch.count = static_cast<std::size_t>(q.shape(0));
-  batch.common.form = dimension == 1 ? ProblemForm::complementarity : ProblemForm::local;
-  batch.common.dimension = dimension;
-  const std::optional<Doubles> each =
-      matrix.size() == 1 ? std::optional(matrix[0].cast<Doubles>()) : std::optional<Doubles>();
-  if (each && each->ndim() == 3) {
-    batch.W = all(each);
+using Given = std::optional<Doubles>;
+
+std::span<const double> numbers_of(const Given& values) {
+  return values ? std::span(values->data(), static_cast<std::size_t>(values->size())) : std::span<const double>();
+}
+
+/// A matrix of each problem, if there is one of each.
+void put_matrix(const Doubles& given, std::span<const double>& each, SparseMatrix& common) {
+  if (given.ndim() == 3) {
+    each = numbers_of(given);
   } else {
-    batch.common.W = matrix_of(matrix, static_cast<std::size_t>(q.shape(1)));
+    const auto rows = static_cast<std::size_t>(given.shape(0)), columns = static_cast<std::size_t>(given.shape(1));
+    common = from_dense(rows, columns, {given.data(), rows * columns});
   }
-  batch.q = all(q), batch.z = all(z), batch.w = all(w);
+}
+
+void put_friction(const Given& mu, ProblemBatch& batch) {
   if (mu && mu->ndim() == 2) {
-    batch.mu = all(mu);
+    batch.mu = numbers_of(mu);
   } else if (mu) {
     batch.common.mu = copied(*mu);
   }
-  law.put(batch.common);
+}
+
+/// (index of each verdict in contact_verdicts, rho, backward error, lines).
+py::tuple judged_batch(const ProblemBatch& batch, const ContactFileOptions& options, unsigned threads,
+                       const py::object& progress) {
   BatchVerdicts found = interruptible(
       [&](Call& call) {
         return on_threads(threads, [&] {
@@ -178,6 +179,42 @@ py::tuple certify_problems(const py::tuple& matrix, const Doubles& q, const std:
     return Doubles(static_cast<py::ssize_t>(values.size()), values.data());
   };
   return py::make_tuple(codes, array(found.rho), array(found.backward_error), std::move(found.lines));
+}
+
+/// q, z and w have a row for each problem; W and mu may be the same for all of them.
+py::tuple certify_problems(const py::tuple& matrix, const Doubles& q, const Given& mu, std::size_t dimension,
+                           const Given& z, const Given& w, const SolverLaw& law, const ContactFileOptions& options,
+                           unsigned threads, const py::object& progress) {
+  ProblemBatch batch;
+  batch.count = static_cast<std::size_t>(q.shape(0));
+  batch.common.form = dimension == 1 ? ProblemForm::complementarity : ProblemForm::local;
+  batch.common.dimension = dimension;
+  const Given dense = matrix.size() == 1 ? Given(matrix[0].cast<Doubles>()) : Given();
+  if (dense) {
+    put_matrix(*dense, batch.W, batch.common.W);
+  } else {
+    batch.common.W = matrix_of(matrix, static_cast<std::size_t>(q.shape(1)));
+  }
+  batch.q = numbers_of(q), batch.r = numbers_of(z), batch.u = numbers_of(w);
+  put_friction(mu, batch);
+  law.put(batch.common);
+  return judged_batch(batch, options, threads, progress);
+}
+
+/// f, w and the parts of answers have a row for each problem; M, H and mu may be the same for all of them.
+py::tuple certify_bodies(const Doubles& M, const Doubles& H, const Doubles& f, const Doubles& w, const Doubles& mu,
+                         std::size_t dimension, const std::array<Given, 3>& answers, const ContactFileOptions& options,
+                         unsigned threads, const py::object& progress) {
+  ProblemBatch batch;
+  batch.count = static_cast<std::size_t>(f.shape(0));
+  batch.common.form = ProblemForm::global;
+  batch.common.dimension = dimension;
+  put_matrix(M, batch.M, batch.common.M);
+  put_matrix(H, batch.H, batch.common.H);
+  put_friction(mu, batch);
+  batch.f = numbers_of(f), batch.w = numbers_of(w);
+  batch.r = numbers_of(answers[0]), batch.u = numbers_of(answers[1]), batch.v = numbers_of(answers[2]);
+  return judged_batch(batch, options, threads, progress);
 }
 
 py::tuple contact_verdicts() {
@@ -216,6 +253,7 @@ void bind_problems(py::module_& module) {
         const SolverLaw law{bounds, compliance, bias, slip_speed, function};
         return certify_problems(matrix, q, mu, dimension, z, w, law, options, threads, progress);
       });
+  module.def("certify_bodies", &certify_bodies);
   module.attr("contact_verdicts") = contact_verdicts();
   module.def("exact", [](const std::string& text) { return to_python(parse_rational(text)); });
   module.def("law_words", &law_words);

@@ -12,23 +12,32 @@ namespace slipproof {
 
 namespace {
 
-/// Those of problem k among the numbers of all.
-std::vector<double> part(std::span<const double> numbers, std::size_t k, std::size_t size) {
-  if (numbers.empty()) return {};
-  const auto own = numbers.subspan(k * size, size);
-  return {own.begin(), own.end()};
+/// The numbers of problem k among those of all.
+std::span<const double> part(std::span<const double> numbers, std::size_t k, std::size_t count) {
+  const std::size_t size = numbers.size() / count;
+  return numbers.subspan(k * size, size);
 }
 
 ReadProblem problem_at(const ProblemBatch& batch, std::size_t k, const std::string& name) {
   ReadProblem read{batch.common, {}};
-  ProblemFile& problem = read.problem;
-  const std::size_t size = batch.q.size() / batch.count;
-  if (!batch.W.empty()) problem.W = from_dense(size, size, batch.W.subspan(k * size * size, size * size));
-  problem.q = part(batch.q, k, size);
-  if (!batch.mu.empty()) problem.mu = part(batch.mu, k, problem.contacts());
-  if (!batch.z.empty()) read.answers.push_back({"z", part(batch.z, k, size), part(batch.w, k, size), {}, {}});
+  ProblemFile& p = read.problem;
+  const auto vector = [&](std::span<const double> numbers, std::vector<double>& to) {
+    const auto own = part(numbers, k, batch.count);
+    if (!own.empty()) to.assign(own.begin(), own.end());
+  };
+  const auto matrix = [&](std::span<const double> numbers, std::size_t rows, SparseMatrix& to) {
+    const auto own = part(numbers, k, batch.count);
+    if (!own.empty()) to = from_dense(rows, own.size() / rows, own);
+  };
+  vector(batch.q, p.q), vector(batch.f, p.f), vector(batch.w, p.w), vector(batch.mu, p.mu);
+  matrix(batch.W, p.q.size(), p.W), matrix(batch.M, p.f.size(), p.M), matrix(batch.H, p.f.size(), p.H);
+  if (!batch.r.empty()) {
+    SolverAnswer answer{p.form == ProblemForm::global ? "r" : "z", {}, {}, {}, {}};
+    vector(batch.r, answer.r), vector(batch.u, answer.u), vector(batch.v, answer.v);
+    read.answers.push_back(std::move(answer));
+  }
   Mistakes mistakes(name);
-  check_problem(problem, mistakes);
+  check_problem(p, mistakes);
   mistakes.refuse_if_any();
   return read;
 }

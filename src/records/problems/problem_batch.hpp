@@ -12,15 +12,15 @@
 
 namespace slipproof {
 
-/// Problems w = W z + q of one size, their numbers in lists, one problem after the other.
+/// Problems of one form and size. A list has the numbers of all, one problem after the other, matrices by rows; what is
+/// empty is that of `common`.
 struct ProblemBatch {
   std::size_t count = 0;
-  ProblemFile common;          ///< what all have: form, dimension, law, compliance, bias; W, if it is the same for all
-  std::span<const double> W;   ///< by rows; empty: that of `common`
-  std::span<const double> q;   ///< its size is that of the problems, `count` times
-  std::span<const double> mu;  ///< of each contact, of all problems; empty: that of `common`
-  std::span<const double> z;   ///< the answers; empty: one is looked for, as the options say
-  std::span<const double> w;   ///< empty: not given
+  ProblemFile common;                  ///< form, dimension, law; and what is the same for all
+  std::span<const double> W, q;        ///< local and complementarity
+  std::span<const double> M, H, f, w;  ///< global
+  std::span<const double> mu;
+  std::span<const double> r, u, v;  ///< the answers; without r one is looked for, as the options say
 };
 
 /// What is proved of each answer.

@@ -137,6 +137,33 @@ def test_a_batch_in_space_is_its_problems():
     assert len(slipproof.certify(W[:0], q[:0], z[:0], mu[:0], dimension=3)) == 0
 
 
+def test_bodies_in_a_batch():
+    """A cube of mass 2 and side 2 on four feet, pushed by F: it stays, slides, or lifts."""
+    feet = [(1, 1), (1, -1), (-1, 1), (-1, -1)]
+    H = np.zeros((6, 12))
+    for k, (x, y) in enumerate(feet):
+        for t, d in enumerate(([0, 0, 1], [1, 0, 0], [0, 1, 0])):
+            H[:3, 3 * k + t], H[3:, 3 * k + t] = d, np.cross([x, y, -1], d)
+    M = np.diag([2, 2, 2, 1, 1, 1.0])
+    f = np.array([[0, 0, -20, 0, 0, 0], [16, 0, -20, 0, -10, 0], [0, 0, 1, 0, 0, 0]], float)
+    share = np.array([5, 0, 0] * 4, float)
+    r = np.array([share, share - np.array([0, 2.5, 0] * 4), 0 * share])
+    found = slipproof.certify_bodies(M, H, f, r, 0.5)
+    assert found.certified and (found.backward_error < 1e-15).all() and (found.rho[found.rho == found.rho] < 1e-6).all()
+    wrong = slipproof.certify_bodies(M, H, f, r * [[1.1], [1], [1]] + [[0], [0], [1]], 0.5, threads=1)
+    assert list(wrong.verdicts[[0, 2]]) == ["wrong", "wrong"] and wrong[1].verdict == found[1].verdict
+    v = np.array([[0, 0, 0, 0, 0, 0], [3, 0, 0, 0, 0, 0], [0, 0, 0.5, 0, 0, 0]])
+    each = slipproof.certify_bodies(np.stack([M] * 3), np.stack([H] * 3), f, r, np.full((3, 4), 0.5), u=v @ H, v=v, w=0 * r)
+    assert each.certified and list(each.verdicts) == list(found.verdicts)
+    assert not slipproof.certify_bodies(M, H, f, r, 0.5, v=v + 1).certified
+    assert slipproof.certify_bodies(M, H, f[2:], mu=0.5, refine=True).certified
+    for name, value in (("M", M[:5]), ("H", H[:, :7]), ("r", r[:2]), ("mu", np.full((2, 4), 0.5)), ("v", v[:, :3]), ("r", None)):
+        with pytest.raises(ValueError, match=name):
+            slipproof.certify_bodies(**{**dict(M=M, H=H, f=f, r=r, mu=0.5), name: value})
+    with pytest.raises(slipproof.InputError, match="problem 2"):
+        slipproof.certify_bodies(M, H, np.where(np.arange(3)[:, None] == 1, np.inf, f), r, 0.5)
+
+
 def test_all_solutions_in_space():
     W, q = [[1.25, 1, 0], [1, 5, 0], [0, 0, 5.0625]], [0.09375, 3.375, 2.09375]  # a leaning body
     found = slipproof.certify(W, q, mu=1.75, all=True)

@@ -48,7 +48,7 @@ def _sparse(W: Any, size: int) -> Tuple[Any, ...]:
     return starts, columns, data
 
 
-def _contacts(mu: Any, shape: Tuple[int, ...], dimension: Optional[int]) -> Tuple[int, Optional[Array]]:
+def _contacts(mu: Any, shape: Tuple[int, ...], dimension: Optional[int], of: str = "q") -> Tuple[int, Optional[Array]]:
     """The dimension of the contacts, and a coefficient for each; a single number is for all contacts."""
     if mu is None:
         if dimension in (2, 3):
@@ -62,7 +62,7 @@ def _contacts(mu: Any, shape: Tuple[int, ...], dimension: Optional[int]) -> Tupl
     each = dimension or _core.dimension_by_sizes(size, contacts)
     if size % each or contacts not in (None, size // each):
         raise wrong_value("mu", "one number" if contacts is None else f"{contacts} coefficients",
-                          f"{each} components of q for each contact, which has {size}")
+                          f"{each} components of {of} for each contact, which has {size}")
     if array.ndim == 0:
         return each, np.full(size // each, array[()], dtype=array.dtype)
     return each, array
@@ -181,6 +181,46 @@ def _each(name: str, value: Any, size: int) -> Optional[Doubles]:
     if array.ndim == 0:
         return np.full(size, float(array))
     return shaped(name, array, (size,), f"as that many components have {'one' if name == 'bounds' else 'it'}")
+
+
+def certify_bodies(M: Any, H: Any, f: Any, r: Any = None, mu: Any = None, *, w: Any = None, u: Any = None, v: Any = None,
+                   dimension: int = 3, tolerance: Optional[float] = None, refine: bool = False, all: bool = False,
+                   within: Optional[float] = None, effort: Optional[int] = None, threads: int = 0,
+                   progress: Progress = None) -> BatchVerdicts:
+    """Are the rows of r answers to the contact problems of bodies M v = H r + f, u = H^T v + w?
+
+    A row of ``f`` (k, n) is a problem. ``M`` (k, n, n) and ``H`` (k, n, m) may be the same for all of them, (n, n) and (n, m),
+    and so may ``mu``: a number, one for each contact, or (k, contacts). ``w`` (k, m) is 0 if it is left out; ``r`` (k, m) has
+    the forces of each contact, (N, T1, T2) in space; ``u`` (k, m) and ``v`` (k, n), the solver's velocities of contacts
+    and bodies, may be left out. These numbers are judged as they are: W = H^T M^-1 H is not rounded on the way. The other
+    arguments are those of :func:`certify`. Raises as that does.
+    """
+    push = numbers("f", f, (2,))
+    count, n = push.shape
+    why = f"as f has shape {push.shape}"
+    mass, directions = numbers("M", M, (2, 3)), numbers("H", H, (2, 3))
+    m = directions.shape[-1]
+    for name, array, shape in (("M", mass, (n, n)), ("H", directions, (n, m))):
+        if array.shape not in (shape, (count, *shape)):
+            raise wrong_value(name, f"shape {array.shape}", f"{shape} or {(count, *shape)} {why}")
+    dims = whole("dimension", dimension, 2, 3)
+    if m % dims:
+        raise wrong_value("H", f"{m} columns", f"{dims} for each contact")
+    dims, friction = _contacts(0 if mu is None else mu, (count, m), dims, "H")
+    assert friction is not None  # in dimension 2 and 3
+    if friction.ndim == 2 and len(friction) != count:
+        raise wrong_value("mu", f"shape {friction.shape}", f"({count}, {m // dims}) {why}")
+    if r is None and not refine and not all:
+        raise wrong_value("r", "None", "an answer, refine=True or all=True")
+    sizes = (("w", w, m), ("r", r, m), ("u", u, m), ("v", v, n))
+    free, *answers = (None if x is None else rounded_nowhere(name, shaped(name, x, (count, size), why)) for name, x, size in sizes)
+    options = _core.ContactOptions(real("tolerance", 1e-6 if tolerance is None else tolerance, 0, 1),
+                                   None if within is None else real("within", within, 0, 1e300), bool(refine), bool(all), None,
+                                   None if effort is None else whole("effort", effort, 1, 2**63))
+    given = (rounded_nowhere(name, x) for name, x in (("M", mass), ("H", directions), ("f", push)))
+    return BatchVerdicts(*_core.certify_bodies(*given, np.zeros((count, m)) if free is None else free,
+                                               rounded_nowhere("mu", friction), dims, answers, options,
+                                               whole("threads", threads, 0, 4096), reporter(progress)))
 
 
 def _arrays(W: Any, q: Doubles, z: Any, w: Any, mu: Optional[Doubles], dimension: int) -> _Given:
