@@ -32,6 +32,7 @@ std::string error_text(double error) {
 }
 
 std::string share_text(const EngineCounts& counts) {
+  if (answered(counts) == 0) return "–";
   return fmt::format("{} of {}", counts[static_cast<std::size_t>(EngineVerdict::right)], answered(counts));
 }
 
@@ -53,6 +54,16 @@ ReportCell bar_cell(const EngineCounts& counts) {
 void add_verdict(const Element& parent, EngineVerdict verdict, std::string_view words) {
   const auto i = static_cast<std::size_t>(verdict);
   add_chip(parent, chips[i], signs[i], words);
+}
+
+void add_sign(const Element& parent, EngineVerdict verdict) {
+  const auto i = static_cast<std::size_t>(verdict);
+  parent.add("span", "chip " + std::string(chips[i])).text(signs[i].substr(0, signs[i].size() - 1));
+}
+
+std::string verdict_words(const JudgedEngineAnswer& one) {
+  const bool off = one.distance && one.verdict != EngineVerdict::right;
+  return std::string(name(one.verdict)) + (off ? ", " + error_text(*one.distance) : "");
 }
 
 ReportCell verdict_cell(const JudgedEngineAnswer& one, const std::string& href) {
