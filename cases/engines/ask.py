@@ -25,7 +25,8 @@ class Interview:
         with Asked(self.engine, self.limit) as asked:
             self.asked = asked
             for scene in scenes:
-                yield from self.about(scene)
+                if not (scene.in_space and self.engine.given.get("plane")):
+                    yield from self.about(scene)
 
     def settings(self):
         """What is asked, and the iterations for it."""

@@ -1,12 +1,14 @@
-// Jolt in binary32: one step, 10 velocity steps by default. Nothing pushes bodies out of their plane, and they are not
+// Jolt in binary32: one step, 10 velocity steps by default. In the plane, nothing pushes bodies out of it, and they are not
 // locked to it: joints that hold an angle would have no inertia to act on. Contacts are found by the engine, between a
 // sphere on one body and a box on the other that meet in the contact's point; pairs that belong to no contact are refused
 // by a listener. Jolt tells no forces.
-import { Refused, engine, run } from "./adapter.mjs";
+import { Refused, cross, engine, run, turnBetween } from "./adapter.mjs";
 
 const { module, version } = await engine("jolt-physics");
 const Jolt = await module();
-const vec = ([x, y]) => new Jolt.Vec3(x, y, 0), at = ([x, y]) => new Jolt.RVec3(x, y, 0), upright = new Jolt.Quat(0, 0, 0, 1);
+const vec = ([x, y, z = 0]) => new Jolt.Vec3(x, y, z), at = ([x, y, z = 0]) => new Jolt.RVec3(x, y, z);
+const upright = new Jolt.Quat(0, 0, 0, 1), spinOf = (spin) => (Array.isArray(spin) ? vec(spin) : vec([0, 0, spin]));
+const list = (v) => [v.GetX(), v.GetY(), v.GetZ()];
 const none = 1e6;
 
 function makeWorld(q) {
@@ -38,10 +40,11 @@ function shapeOf(q, index) {
   add(new Jolt.SphereShapeSettings(0.05 * q.size), zero, upright, none);
   q.contacts.forEach((contact, i) => {
     const r = contact.half, [nx, ny] = contact.normal, half = Math.atan2(-nx, ny) / 2;
+    const turn = q.inSpace ? turnBetween([0, 1, 0], contact.normal) : [0, 0, Math.sin(half), Math.cos(half)];
     if (contact.of === index) add(new Jolt.SphereShapeSettings(contact.disc + contact.overlap), vec(contact.centre), upright, i);
     if (contact.on === index) {
       add(new Jolt.BoxShapeSettings(new Jolt.Vec3(r, r, r), 0), vec(contact.face.map((p, k) => p - r * contact.normal[k])),
-          new Jolt.Quat(0, 0, Math.sin(half), Math.cos(half)), i);
+          new Jolt.Quat(...turn), i);
     }
   });
   const shape = parts.Create().Get(), com = shape.GetCenterOfMass();
@@ -57,25 +60,39 @@ function addBody(system, q, body, index) {
   const made = system.GetBodyInterface().CreateBody(settings);
   system.GetBodyInterface().AddBody(made.GetID(), Jolt.EActivation_Activate);
   made.SetLinearVelocity(vec(body.velocityAfter));
-  made.SetAngularVelocity(new Jolt.Vec3(0, 0, body.spinAfter));
+  made.SetAngularVelocity(spinOf(body.spinAfter));
   if (body.prescribed) return made;
   if (!body.free && body.acceleration.some((a) => a !== 0)) throw new Refused("an axle that accelerates as prescribed");
   made.GetMotionProperties().SetInverseMass(body.free ? 1 / body.mass : 0);
-  const inverse = body.turns ? 1 / body.inertia : 0;
-  made.GetMotionProperties().SetInverseInertia(new Jolt.Vec3(inverse, inverse, inverse), upright);
+  const inverse = body.turns ? 1 / body.inertia : 0, [w, x, y, z] = body.turn ?? [1, 0, 0, 0];
+  made.GetMotionProperties().SetInverseInertia(vec(body.turn ? body.inertia.map((i) => 1 / i) : [inverse, inverse, inverse]),
+                                               new Jolt.Quat(x, y, z, w));
   made.AddForce(vec(body.force));
-  made.AddTorque(new Jolt.Vec3(0, 0, body.torque));
+  made.AddTorque(spinOf(body.torque));
   return made;
+}
+
+/** A direction of length 1 across another; in the plane out of it. */
+function across(axis) {
+  if (axis.length === 2) return [0, 0, 1];
+  const made = cross(axis, Math.abs(axis[2]) < 0.5 ? [0, 0, 1] : [1, 0, 0]), length = Math.hypot(...made);
+  return made.map((x) => x / length);
 }
 
 function addJoint(system, bodies, joint) {
   const settings = {
     pin: () => new Jolt.PointConstraintSettings(),
     weld: () => Object.assign(new Jolt.FixedConstraintSettings(), { mAutoDetectPoint: false }),
+    hinge: () => {
+      const made = new Jolt.HingeConstraintSettings();
+      made.mHingeAxis1 = made.mHingeAxis2 = vec(joint.axis);
+      made.mNormalAxis1 = made.mNormalAxis2 = vec(across(joint.axis));
+      return made;
+    },
     slider: () => {
       const made = new Jolt.SliderConstraintSettings();
       made.mSliderAxis1 = made.mSliderAxis2 = vec(joint.axis);
-      made.mNormalAxis1 = made.mNormalAxis2 = new Jolt.Vec3(0, 0, 1);
+      made.mNormalAxis1 = made.mNormalAxis2 = vec(across(joint.axis));
       return made;
     },
     rod: () => Object.assign(new Jolt.DistanceConstraintSettings(), { mMinDistance: joint.length, mMaxDistance: joint.length }),
@@ -116,9 +133,11 @@ function ask(q) {
   q.joints.forEach((joint) => addJoint(system, bodies, joint));
   world.Step(q.step, 1);
   if (touching.size !== q.contacts.length) throw new Error(`${touching.size} contacts, expected ${q.contacts.length}`);
-  const velocities = bodies.map((b) => [b.GetLinearVelocity().GetX(), b.GetLinearVelocity().GetY(), b.GetAngularVelocity().GetZ()]);
+  const velocities = bodies.map((b) => (q.inSpace ? [...list(b.GetLinearVelocity()), ...list(b.GetAngularVelocity())]
+    : [b.GetLinearVelocity().GetX(), b.GetLinearVelocity().GetY(), b.GetAngularVelocity().GetZ()]));
   Jolt.destroy(world);
   return { velocities, contacts: null, settings: { mNumVelocitySteps: steps } };
 }
 
-await run({ name: "jolt-physics", version, ask, law: "cone, by sweeps; the first step from rest" });
+await run({ name: "jolt-physics", version, ask, law: "cone, by sweeps; the first step from rest",
+            lawInSpace: "cone, by sweeps; the first step from rest" });

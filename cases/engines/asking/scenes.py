@@ -9,6 +9,7 @@ import tempfile
 from fractions import Fraction
 from pathlib import Path
 
+from .space import WorldInSpace
 from .world import Refused, step_of, world
 
 
@@ -17,6 +18,7 @@ class Scene:
         self.file, self.program = Path(file), program
         self.name = f"{self.file.parent.name}/{self.file.stem}"
         self.expected = expected
+        self.in_space = self.file.parent.name.startswith("space-")
 
     def bodies(self, *settings):
         """The scene in numbers, at NAME=VALUE settings. Raises Refused, with the words of slipproof."""
@@ -40,7 +42,7 @@ class Scene:
     def question(self, iterations, *settings):
         """A line for an adapter. Raises Refused."""
         scene = self.bodies(*settings)
-        built = world(scene)
+        built = WorldInSpace(scene).built() if len(scene["gravity"]) == 3 else world(scene)
         return scene | {"ask": {"step": step_of(built), "iterations": iterations, "world": built}}
 
 
