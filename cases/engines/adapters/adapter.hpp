@@ -68,6 +68,7 @@ struct Friction {
 
 struct Question {
   bool in_space = false;
+  bool drifts = false;  ///< asks how far bodies move that should rest, not for an acceleration
   Vector gravity{};
   double size = 1, step = 0;
   int iterations = 0;  ///< 0: the engine's default
@@ -92,6 +93,8 @@ struct Answer {
   std::vector<std::array<double, 6>> velocity;
   std::map<std::string, double> forces;
   bool tells_forces = true;
+  std::map<std::string, double>
+      drift;  ///< by the number of steps: how far a body is from where it began, over the size
   Json settings = Json::object();
 
   /// Of a contact: along its normal and its tangent.
@@ -102,6 +105,21 @@ struct Answer {
   /// In space.
   void push(const Contact& contact, const Vector& force);
 };
+
+/// After 1, 10 and 100 steps of which the first is made. `step()` makes one more, pushes included, and `place(i)` gives
+/// the centre of a body.
+template <class Step, class Place>
+void watch_drift(const Question& q, Answer& answer, const Step& step, const Place& place) {
+  for (int n = 1; n <= 100; ++n) {
+    if (n > 1) step();
+    if (n != 1 && n != 10 && n != 100) continue;
+    double& farthest = answer.drift[std::to_string(n)];
+    for (std::size_t i = 1; i < q.bodies.size(); ++i) {
+      const Vector at = place(i), &was = q.bodies[i].at;
+      farthest = std::max(farthest, std::hypot(at[0] - was[0], at[1] - was[1], at[2] - was[2]) / q.size);
+    }
+  }
+}
 
 /// Why an engine cannot have a scene.
 struct Refused : std::runtime_error {
@@ -182,6 +200,7 @@ inline Joint read_joint(const Json& given) {
 inline Question read_question(const Json& line) {
   const Json &ask = line.at("ask"), &world = ask.at("world");
   Question q{world["gravity"].size() == 3, vector(world["gravity"]), world["size"], ask["step"]};
+  q.drifts = ask.value("drift", false);
   if (!ask["iterations"].is_null()) q.iterations = ask["iterations"];
   for (const Json& one : world["bodies"]) q.bodies.push_back(read_body(one));
   for (const Json& one : world["contacts"]) q.contacts.push_back(read_contact(one));
@@ -216,6 +235,12 @@ inline Json answer_to(const Engine& engine, const Json& line) {
     const Answer answer = engine.ask(question);
     result["settings"] = answer.settings;
     result["settings"]["step"] = question.step;
+    if (question.drifts) {
+      if (answer.drift.empty()) throw Refused("the adapter makes one step only");
+      result["drift"] = answer.drift;
+      result["law"] = question.in_space ? engine.law_in_space : engine.law;
+      return result;
+    }
     result["motion"] = motion(question, answer);
     result["forces"] = answer.tells_forces ? Json(answer.forces) : Json();
     result["law"] = question.in_space ? engine.law_in_space : engine.law;

@@ -50,7 +50,7 @@ function question(line) {
     return { ...c, disc: radius, half: Math.max(radius, 0.01), overlap: 1e-6 * world.size, face: arm(c.on, c.at),
              centre: arm(c.of, c.at.map((p, i) => p + radius * c.normal[i])) };
   });
-  return { ...world, step, iterations, bodies, contacts, arm, inSpace: world.gravity.length === 3 };
+  return { ...world, step, iterations, drifts: line.ask.drift ?? false, bodies, contacts, arm, inSpace: world.gravity.length === 3 };
 }
 
 /** Accelerations by the names of the unknowns, from the velocities after the step. */
@@ -70,12 +70,27 @@ function forces(q, pairs) {
   return Object.fromEntries(q.contacts.flatMap((c, i) => c.forces.map((name, k) => [name, pairs[i][k]])));
 }
 
+/** How far a body is from where it began, over the size, after 1, 10 and 100 steps, of which the first is made. `again()`
+ * makes one more, pushes included, and `place(i)` gives the centre of a body. Nothing unless it is asked. */
+export function drift(q, again, place) {
+  if (!q.drifts) return null;
+  const farthest = {};
+  for (let n = 1; n <= 100; n += 1) {
+    if (n > 1) again();
+    if (![1, 10, 100].includes(n)) continue;
+    farthest[n] = Math.max(...q.bodies.slice(1).map((body, i) => Math.hypot(...place(i + 1).map((p, k) => p - body.at[k])))) / q.size;
+  }
+  return farthest;
+}
+
 function answer({ name, version, law, lawInSpace, ask }, line) {
   const head = { schema: "slipproof/engine-answer/1", engine: name, version, scene: line.name };
   const q = question(line);
   try {
     if (q.inSpace && !lawInSpace) throw new Refused("a scene in space");
-    const { velocities, contacts, settings } = ask(q);
+    const { velocities, contacts, settings, drift: drifted } = ask(q);
+    if (q.drifts && !drifted) throw new Refused("the adapter makes one step only");
+    if (q.drifts) return { ...head, settings: { ...settings, step: q.step }, drift: drifted, law: q.inSpace ? lawInSpace : law };
     return { ...head, settings: { ...settings, step: q.step }, motion: motion(q, velocities),
              forces: forces(q, contacts), law: q.inSpace ? lawInSpace : law };
   } catch (error) {

@@ -91,6 +91,11 @@ class Scene {
       answer.push(q_.contacts[i],
                   vector_of((point.m_appliedImpulse * vec(q_.contacts[i].normal) + friction) / q_.step));
     }
+    if (q_.drifts && q_.in_space) {
+      watch_drift(
+          q_, answer, [&] { step_again(); },
+          [&](std::size_t i) { return vector_of(bodies_[i]->getWorldTransform().getOrigin()); });
+    }
     return answer;
   }
 
@@ -115,14 +120,27 @@ class Scene {
       btTransform before = made.getWorldTransform();
       before.setOrigin(before.getOrigin() - q_.step * made.getLinearVelocity());
       made.setInterpolationWorldTransform(before);
-    } else if (applied_) {
+    } else {
+      push(body, made);
+    }
+  }
+
+  void push(const Body& body, btRigidBody& made) const {
+    if (applied_) {
       made.applyCentralForce(vec(body.force));
       made.applyTorque(vec(body.torques));
     } else {
-      made.setLinearVelocity(made.getLinearVelocity() + q_.step * (vec(q_.gravity) + vec(body.force) / mass));
+      made.setLinearVelocity(made.getLinearVelocity() + q_.step * (vec(q_.gravity) + vec(body.force) / body.mass));
       made.setAngularVelocity(made.getAngularVelocity() +
                               q_.step * (made.getInvInertiaTensorWorld() * vec(body.torques)));
     }
+  }
+  /// One more step in space.
+  void step_again() {
+    for (std::size_t i = 1; i < bodies_.size(); ++i) {
+      if (!q_.bodies[i].is_prescribed()) push(q_.bodies[i], *bodies_[i]);
+    }
+    world_.stepSimulation(q_.step, 1, q_.step);
   }
 
   void add(const Body& body) {

@@ -1,7 +1,7 @@
 // cannon-es: one step, 10 iterations by default. Contacts are handed over as contact equations in place of the engine's
 // own search, friction as the engine makes it from them. Contacts are soft (stiffness 1e7, relaxation 3); with many
 // iterations they are made stiff (1e12) and the tolerance of the iteration 0.
-import { Refused, engine, run, dot } from "./adapter.mjs";
+import { Refused, dot, drift, engine, run } from "./adapter.mjs";
 
 const { module: cannon, version } = await engine("cannon-es");
 const vec = ([x, y, z = 0]) => new cannon.Vec3(x, y, z);
@@ -99,7 +99,16 @@ function ask(q) {
   world.step(q.step);
   const velocities = bodies.map((b) => (q.inSpace ? [...list(b.velocity), ...list(b.angularVelocity)]
     : [b.velocity.x, b.velocity.y, b.angularVelocity.z]));
-  return { velocities, contacts: told(q, kept), settings: { iterations: world.solver.iterations, tolerance: world.solver.tolerance } };
+  const contacts = told(q, kept);
+  const again = () => {
+    bodies.forEach((body, i) => {
+      if (q.bodies[i].prescribed) return;
+      body.applyForce(vec(q.bodies[i].force));
+      body.torque.vadd(spinOf(q.bodies[i].torque), body.torque);
+    });
+    world.step(q.step);
+  };
+  return { velocities, contacts, drift: drift(q, again, (i) => list(bodies[i].position)), settings: { iterations: world.solver.iterations, tolerance: world.solver.tolerance } };
 }
 
 await run({ name: "cannon-es", version, ask,

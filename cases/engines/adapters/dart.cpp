@@ -52,11 +52,7 @@ class Scene {
   }
 
   Answer step() {
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      bodies_[i]->addExtForce(vec(q_.bodies[i].force), Vector3d::Zero(), false, true);
-      bodies_[i]->addExtTorque(q_.in_space ? vec(q_.bodies[i].torques) : Vector3d(0, 0, q_.bodies[i].torque), false);
-    }
-    world_->step();
+    push_and_step();
     Answer answer;
     answer.settings = {{"solver", q_.iterations > 0 ? "PGS" : "Dantzig, then PGS"}};
     if (q_.iterations > 0) answer.settings["iterations"] = q_.iterations;
@@ -75,10 +71,26 @@ class Scene {
       const double sign = name[0] == 'o' ? 1 : -1;  // the force is on the first
       answer.push(contact, {sign * found.force[0], sign * found.force[1], sign * found.force[2]});
     }
+    if (q_.drifts) {
+      watch_drift(
+          q_, answer, [&] { push_and_step(); },
+          [&](std::size_t i) {
+            const Vector3d at = bodies_[i]->getCOM();
+            return Vector{at[0], at[1], at[2]};
+          });
+    }
     return answer;
   }
 
  private:
+  void push_and_step() {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      bodies_[i]->addExtForce(vec(q_.bodies[i].force), Vector3d::Zero(), false, true);
+      bodies_[i]->addExtTorque(q_.in_space ? vec(q_.bodies[i].torques) : Vector3d(0, 0, q_.bodies[i].torque), false);
+    }
+    world_->step();
+  }
+
   template <class J>
   dart::dynamics::BodyNode* create(const dart::dynamics::SkeletonPtr& skeleton, const Body& body, const J& properties) {
     using namespace dart::dynamics;

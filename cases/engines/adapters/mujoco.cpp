@@ -205,6 +205,16 @@ Answer ask(const Question& q) {
     answer.velocity.push_back(v);
   }
   tell(q, m, d, answer);
+  if (q.drifts && q.in_space) {
+    model->opt.timestep = q.step;
+    mj_step(&m, &d);
+    watch_drift(
+        q, answer, [&] { mj_step(&m, &d); },
+        [&](std::size_t i) {
+          const mjtNum* at = d.xpos + 3 * mj_name2id(&m, mjOBJ_BODY, std::to_string(i).c_str());
+          return Vector{at[0], at[1], at[2]};
+        });
+  }
   return answer;
 }
 

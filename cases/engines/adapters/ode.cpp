@@ -35,12 +35,9 @@ class Scene {
   Answer step(bool quick) {
     Answer answer;
     if (quick && q_.iterations > 0) dWorldSetQuickStepNumIterations(world_, q_.iterations);
-    if (quick) {
-      dWorldQuickStep(world_, q_.step);
-      answer.settings["iterations"] = dWorldGetQuickStepNumIterations(world_);
-    } else {
-      dWorldStep(world_, q_.step);
-    }
+    const auto make = [&] { quick ? dWorldQuickStep(world_, q_.step) : dWorldStep(world_, q_.step); };
+    make();
+    if (quick) answer.settings["iterations"] = dWorldGetQuickStepNumIterations(world_);
     answer.settings["CFM"] = dWorldGetCFM(world_);
     for (dBodyID body : bodies_) {
       const dReal zero[3] = {0, 0, 0};
@@ -54,6 +51,14 @@ class Scene {
     for (std::size_t i = 0; i < q_.contacts.size(); ++i) {
       const Vector f{feedback_[i].f1[0], feedback_[i].f1[1], feedback_[i].f1[2]};
       answer.push(q_.contacts[i], f);
+    }
+    if (q_.drifts && q_.in_space) {
+      watch_drift(
+          q_, answer, [&] { push_all(), make(); },
+          [&](std::size_t i) {
+            const dReal* at = dBodyGetPosition(bodies_[i]);
+            return Vector{at[0], at[1], at[2]};
+          });
     }
     return answer;
   }
@@ -107,8 +112,17 @@ class Scene {
     dMassSetParameters(&mass, body.mass, 0, 0, 0, i[0], i[1], i[2], 0, 0, 0);
     dBodySetMass(b, &mass);
     dBodySetGyroscopicMode(b, 0);
+    push(body, b);
+  }
+
+  static void push(const Body& body, dBodyID b) {
     dBodyAddForce(b, body.force[0], body.force[1], body.force[2]);
     dBodyAddTorque(b, body.torques[0], body.torques[1], body.torques[2]);
+  }
+  void push_all() {
+    for (std::size_t i = 1; i < bodies_.size(); ++i) {
+      if (!q_.bodies[i].is_prescribed()) push(q_.bodies[i], bodies_[i]);
+    }
   }
 
   void add(const Joint& joint) {

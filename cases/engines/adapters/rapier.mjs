@@ -1,9 +1,9 @@
 // Rapier in binary32, in the plane or, with the argument 3d, in space. There nothing pushes bodies of the plane out of it,
 // and they are not locked to it: friction out of the plane would have no mass to act on. Contacts are found by the engine, between a ball on one body and a box on the other that meet in the contact's point and nothing
-// else. The default is 4 solver iterations, which are substeps.
-import { Refused, engine, run, dot, turnBetween } from "./adapter.mjs";
+// else; with the argument `shapes` they are those of the whole shapes of a body on the floor. The default is 4 solver iterations, which are substeps.
+import { Refused, dot, drift, engine, run, turnBetween } from "./adapter.mjs";
 
-const space = process.argv[2] === "3d";
+const whole = process.argv[2] === "shapes", space = whole || process.argv[2] === "3d";
 const { module: rapier, version } = await engine(`@dimforge/rapier${space ? 3 : 2}d-compat`);
 const { log } = console;
 console.log = console.warn = () => {}; // a notice while it loads
@@ -48,6 +48,17 @@ function addContact(world, bodies, contact) {
           add(box, contact.face.map((p, i) => p - r * contact.normal[i]), contact.on)];
 }
 
+/** The whole shapes of the body on the floor, and the floor. */
+function addShapes(world, bodies, q) {
+  const far = 100 * q.size, add = (desc, body) => world.createCollider(desc.setDensity(0).setFriction(q.contacts[0].friction), bodies[body]);
+  add(rapier.ColliderDesc.cuboid(far, far, q.size).setTranslation(0, 0, -q.size), 0);
+  for (const { box, sphere, hull, at, turn: [w, x, y, z] } of q.shapes) {
+    const desc = box ? rapier.ColliderDesc.cuboid(...box.map((size) => size / 2)) : sphere ? rapier.ColliderDesc.ball(sphere)
+      : rapier.ColliderDesc.convexHull(new Float32Array(hull.flat()));
+    add(desc.setTranslation(...at).setRotation({ x, y, z, w }), 1);
+  }
+}
+
 function addJoint(world, bodies, joint, q) {
   const at = vec(q.arm(joint.first, joint.at)), to = vec(q.arm(joint.second, joint.to));
   const same = vec(q.arm(joint.second, joint.at)), { JointData } = rapier;
@@ -80,22 +91,26 @@ function ask(q) {
   if (q.friction.length > 0) throw new Refused("brakes and clutches");
   const world = new rapier.World(vec(q.gravity));
   const bodies = q.bodies.map((body) => addBody(world, body));
-  const colliders = q.contacts.map((contact) => addContact(world, bodies, contact));
+  if (q.shapes) addShapes(world, bodies, q);
+  const colliders = q.shapes ? [] : q.contacts.map((contact) => addContact(world, bodies, contact));
   q.joints.forEach((joint) => addJoint(world, bodies, joint, q));
   world.timestep = q.step;
   if (q.iterations) world.integrationParameters.numSolverIterations = q.iterations;
   const of = new Map(colliders.flatMap((pair, i) => pair.map((handle) => [handle, i])));
   const filterContactPair = (a, b) => (of.get(a) === of.get(b) ? rapier.SolverFlags.COMPUTE_IMPULSE : null);
-  world.step(new rapier.EventQueue(true), { filterContactPair, filterIntersectionPair: () => false });
+  const make = () => q.shapes ? world.step() : world.step(new rapier.EventQueue(true), { filterContactPair, filterIntersectionPair: () => false });
+  make();
   const velocities = bodies.map((b) => (q.inSpace ? [...list(b.linvel()), ...list(b.angvel())]
     : [b.linvel().x, b.linvel().y, space ? b.angvel().z : b.angvel()]));
   const { numSolverIterations, numInternalPgsIterations } = world.integrationParameters;
   const settings = { numSolverIterations, numInternalPgsIterations };
   const contacts = space ? null : told(world, q, colliders);
+  // Forces stay until they are reset.
+  const drifted = space ? drift(q, make, (i) => list(bodies[i].translation())) : null;
   world.free();
-  return { velocities, contacts, settings };
+  return { velocities, contacts, drift: drifted, settings };
 }
 
-await run({ name: space ? "rapier3d" : "rapier2d", version, ask,
+await run({ name: whole ? "rapier3d-shapes" : space ? "rapier3d" : "rapier2d", version, ask,
             law: `cone, by substeps with soft contacts${space ? "; in space" : ""}; the first step from rest`,
-            lawInSpace: space && "cone, by substeps with soft contacts; the first step from rest" });
+            lawInSpace: space && `cone, by substeps with soft contacts${whole ? ", at the contacts of whole shapes" : ""}; the first step from rest` });

@@ -68,6 +68,27 @@ def names_of(body):
     return linear + ([unknowns.pop(0) for _ in range(3)] if "turning" not in body else [None] * 3)
 
 
+def own_shapes(scene, built):
+    """Of the one body of a scene that stands on the level floor at 0, for engines that find contacts of shapes: boxes,
+    spheres and hulls with `at`, from the centre of mass, and `turn`, in the axes of the scene. Raises Refused."""
+    body = scene["bodies"][0]
+    level = all(contact["on"] == 0 and contact["normal"][2] == 1 and abs(contact["at"][2]) <= CLOSE * built["size"]
+                for contact in built["contacts"])
+    if len(scene["bodies"]) != 1 or not level or not built["contacts"]:
+        raise Refused("shapes that are not those of one body on a level floor")
+    shapes, identity = [], [1, 0, 0, 0]
+    for shape in body["shapes"]:
+        kind = next((kind for kind in ("box", "sphere", "hull") if kind in shape), None)
+        if not kind:
+            raise Refused("a shape that is no box, sphere or hull")
+        if kind == "hull":
+            shapes.append({"hull": [turned(body, point) for point in shape["hull"]], "at": [0, 0, 0], "turn": identity})
+        else:
+            turn = quaternion(body["turn"]) if kind == "box" else identity
+            shapes.append({kind: shape[kind], "at": turned(body, shape["at"]), "turn": turn})
+    return shapes
+
+
 class WorldInSpace:
     def __init__(self, scene):
         self.scene = scene

@@ -83,6 +83,10 @@ std::string answer_text(const EngineAnswer& answer) {
            (found.floor ? fmt::format(", where motion exceeds a floor of {:g}", *found.floor) : "");
   }
   std::string text;
+  for (const auto& [steps, moved] : answer.drift) {
+    text += fmt::format("{}{} of the size in {} step{}", text.empty() ? "moves by " : ", ", error_text(moved), steps,
+                        steps == "1" ? "" : "s");
+  }
   for (const auto& [name, value] : answer.motion) {
     text += fmt::format("{}{} = {:.6g}", text.empty() ? "" : ", ", name, value);
   }

@@ -68,6 +68,35 @@ void add_thresholds(const Element& main, const EnginePageInput& input) {
   add_table(section, table);
 }
 
+/// How far bodies move that should rest: the median over the scenes, and the largest.
+void add_drift(const Element& main, const EnginePageInput& input) {
+  std::map<std::string, std::map<int, std::vector<double>>> drifts;
+  for (const EngineScene& scene : input.judged().scenes) {
+    for (const JudgedEngineAnswer& one : scene.answers) {
+      for (const auto& [steps, moved] : one.answer.drift) drifts[one.answer.engine][std::stoi(steps)].push_back(moved);
+    }
+  }
+  if (drifts.empty()) return;
+  const Element section = add_section(main, "drift", "What creeps that should rest");
+  section.add("p", "how")
+      .text(
+          "Scenes in space whose one motion is rest, at default settings: how far a body is after so many steps from "
+          "where it began, over the size of the scene; the median over the scenes, and the largest.");
+  ReportTable table{{"engine", {"scenes", true}}};
+  table.label = "Drift by engine";
+  table.css_class = "engines";
+  for (const char* steps : {"1 step", "10 steps", "100 steps"}) table.columns.emplace_back(steps, true);
+  for (auto& [engine, by_steps] : drifts) {
+    std::vector<ReportCell> cells{engine, input.with_design(engine, std::to_string(by_steps.begin()->second.size()))};
+    for (auto& [steps, moved] : by_steps) {
+      std::ranges::sort(moved);
+      cells.emplace_back(error_text(moved[moved.size() / 2]) + "; " + error_text(moved.back()));
+    }
+    table.row(std::move(cells));
+  }
+  add_table(section, table);
+}
+
 void add_laws(const Element& main, const EnginePageInput& input) {
   const Element section = add_section(main, "laws", "What each engine solves");
   section.add("p", "how")
@@ -127,6 +156,7 @@ void add_engines_index(const Element& main, const EnginePageInput& input) {
   add_key(top);
   engine_index::add_counts(main, input);
   engine_index::add_thresholds(main, input);
+  engine_index::add_drift(main, input);
   engine_index::add_laws(main, input);
   engine_index::add_scenes(main, input);
   engine_index::add_reproduce(main, input);

@@ -16,8 +16,9 @@ namespace {
 
 constexpr std::string_view threshold_asked = "threshold";  // or `threshold, many iterations`
 
-bool is_about_threshold(const EngineAnswer& answer) {
-  return answer.threshold || answer.asked.starts_with(threshold_asked);
+/// Not about the motion of a scene as it is.
+bool is_about_more(const EngineAnswer& answer) {
+  return answer.threshold || answer.asked.starts_with(threshold_asked) || answer.asked == "drift";
 }
 
 /// How the engine was asked for a threshold: `default`, `many iterations`.
@@ -125,7 +126,7 @@ std::vector<EngineRow> engine_rows(const JudgedEngines& judged) {
   std::map<std::pair<std::string, std::string>, EngineRow> rows;
   for (const EngineScene& scene : judged.scenes) {
     for (const JudgedEngineAnswer& one : scene.answers) {
-      if (is_about_threshold(one.answer)) continue;
+      if (is_about_more(one.answer)) continue;
       EngineRow& row = rows[{one.answer.engine, one.answer.asked}];
       if (row.engine.empty()) {
         row.engine = one.answer.engine, row.asked = one.answer.asked;

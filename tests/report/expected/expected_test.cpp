@@ -39,7 +39,7 @@ Read json_in_space(const std::string& scene) {
   return Read::parse(expected_json({answer_in_space(scene)}));
 }
 /// Many contacts, or a threshold, whose motions are found at many values.
-bool is_long(const MechanismScene& scene) {
+bool is_long_in_space(const MechanismScene& scene) {
   return scene.mechanism.dimension == 3 && (scene.mechanism.contacts.size() > 3 || scene.threshold);
 }
 
@@ -202,7 +202,7 @@ TEST_CASE("the shipped expected answers are found again, byte for byte") {
     if (next++ % every != 0) continue;
     const MechanismScene scene = read_scene(engines + "scenes/" + name + ".toml", Dimensions::any);
     CHECK_FALSE(scene.question.empty());
-    if (every > 1 && is_long(scene)) continue;
+    if (every > 1 && is_long_in_space(scene)) continue;
     const Expected answer = answer_in_space(name);
     CHECK(expected_json({answer}) == read_text_file(engines + "expected/" + name + ".json"));
   }
