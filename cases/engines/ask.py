@@ -25,7 +25,8 @@ class Interview:
         with Asked(self.engine, self.limit) as asked:
             self.asked = asked
             for scene in scenes:
-                yield from self.about(scene)
+                if self.engine.has(scene):
+                    yield from self.about(scene)
 
     def settings(self):
         """What is asked, and the iterations for it."""
@@ -36,6 +37,8 @@ class Interview:
     def about(self, scene):
         for name, iterations in self.settings():
             yield self.kept(scene, name or "default", lambda: self.one(scene, iterations)[1])
+        if scene.rests and not self.engine.given.get("problem"):
+            yield self.kept(scene, "drift", lambda: self.drift(scene))
         if not self.bisects or not scene.expected or not scene.expected["threshold"]:
             return
         for name, iterations in self.settings():
@@ -43,7 +46,7 @@ class Interview:
             yield self.kept(scene, asked, lambda: self.threshold(scene, iterations))
 
     def one(self, scene, iterations, *settings):
-        question = scene.question(iterations, *settings)
+        question = scene.question(iterations, *settings, shapes=self.engine.shapes)
         if self.engine.given.get("problem"):
             question["ask"]["problem"] = scene.problem(*settings)
         answer = self.asked.answer(question)
@@ -52,6 +55,17 @@ class Interview:
         if any(value is None or value != value for value in answer["motion"].values()):
             raise Failed("an acceleration that is no number")
         return question, answer
+
+    def drift(self, scene):
+        """How far bodies move in 1, 10 and 100 steps, at default settings."""
+        question = scene.question(None, shapes=self.engine.shapes)
+        question["ask"]["drift"] = True
+        answer = self.asked.answer(question)
+        if "refused" in answer:
+            raise Refused(answer["refused"])
+        if any(value is None or value != value for value in answer["drift"].values()):
+            raise Failed("a drift that is no number")
+        return answer
 
     def threshold(self, scene, iterations):
         answers = []

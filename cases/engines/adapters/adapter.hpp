@@ -1,5 +1,6 @@
 // What adapters in C++ share: reads the lines, gives each scene to the engine, writes the answers. A scene comes as the
-// driver's `world` (asking/world.py): everything in the axes of the scene; body 0 is the ground.
+// driver's `world` (asking/world.py, asking/space.py): everything in the axes of the scene; body 0 is the ground. In
+// the plane the third component of a vector is 0.
 #pragma once
 
 #include <algorithm>
@@ -17,12 +18,16 @@
 namespace engines {
 
 using Json = nlohmann::json;
-using Vector = std::array<double, 2>;
+using Vector = std::array<double, 3>;
+using Quaternion = std::array<double, 4>;  ///< w x y z
 
 struct Body {
   std::string name;
   Vector at{}, velocity{}, acceleration{}, force{};
-  double spin = 0, turning = 0, mass = 0, inertia = 0, torque = 0;
+  double spin = 0, turning = 0, mass = 0, inertia = 0, torque = 0;  ///< in the plane
+  /// In space; moments about the principal axes, which `turn` brings into the scene.
+  Vector spins{}, turnings{}, torques{}, moments{};
+  Quaternion turn{1, 0, 0, 0};
   bool is_free = false;  ///< has a mass; if not, moves by `acceleration`
   bool turns = false;    ///< has an inertia; if not, turns by `turning`
   Json names{};
@@ -31,7 +36,8 @@ struct Body {
   bool is_prescribed() const { return !is_free && !turns; }
   /// How a body that moves as prescribed moves at the end of a step.
   Vector velocity_after(double step) const {
-    return {velocity[0] + step * acceleration[0], velocity[1] + step * acceleration[1]};
+    return {velocity[0] + step * acceleration[0], velocity[1] + step * acceleration[1],
+            velocity[2] + step * acceleration[2]};
   }
   double spin_after(double step) const { return spin + step * turning; }
 };
@@ -39,7 +45,7 @@ struct Body {
 struct Contact {
   std::string name;
   std::size_t of = 0, on = 0;
-  Vector at{}, normal{}, tangent{};
+  Vector at{}, normal{}, tangent{}, second{};  ///< `second`: of the tangents, in space
   double radius = 0, friction = 0;
   std::vector<std::string> forces;
 };
@@ -61,6 +67,8 @@ struct Friction {
 };
 
 struct Question {
+  bool in_space = false;
+  bool drifts = false;  ///< asks how far bodies move that should rest, not for an acceleration
   Vector gravity{};
   double size = 1, step = 0;
   int iterations = 0;  ///< 0: the engine's default
@@ -75,14 +83,18 @@ struct Question {
   double half(const Contact& c) const { return std::max(disc(c), 0.01); }
 
   Vector arm(std::size_t body, const Vector& point) const {
-    return {point[0] - bodies[body].at[0], point[1] - bodies[body].at[1]};
+    const Vector& at = bodies[body].at;
+    return {point[0] - at[0], point[1] - at[1], point[2] - at[2]};
   }
 };
 
 struct Answer {
-  std::vector<std::array<double, 3>> velocity;  ///< of each body after the step: x, y, counterclockwise
+  /// Of each body after the step: x, y, counterclockwise; in space x, y, z, and the spin about these.
+  std::vector<std::array<double, 6>> velocity;
   std::map<std::string, double> forces;
   bool tells_forces = true;
+  std::map<std::string, double>
+      drift;  ///< by the number of steps: how far a body is from where it began, over the size
   Json settings = Json::object();
 
   /// Of a contact: along its normal and its tangent.
@@ -90,7 +102,24 @@ struct Answer {
     if (!contact.forces.empty()) forces[contact.forces[0]] += normal;
     if (contact.forces.size() > 1) forces[contact.forces[1]] += tangent;
   }
+  /// In space.
+  void push(const Contact& contact, const Vector& force);
 };
+
+/// After 1, 10 and 100 steps of which the first is made. `step()` makes one more, pushes included, and `place(i)` gives
+/// the centre of a body.
+template <class Step, class Place>
+void watch_drift(const Question& q, Answer& answer, const Step& step, const Place& place) {
+  for (int n = 1; n <= 100; ++n) {
+    if (n > 1) step();
+    if (n != 1 && n != 10 && n != 100) continue;
+    double& farthest = answer.drift[std::to_string(n)];
+    for (std::size_t i = 1; i < q.bodies.size(); ++i) {
+      const Vector at = place(i), &was = q.bodies[i].at;
+      farthest = std::max(farthest, std::hypot(at[0] - was[0], at[1] - was[1], at[2] - was[2]) / q.size);
+    }
+  }
+}
 
 /// Why an engine cannot have a scene.
 struct Refused : std::runtime_error {
@@ -100,23 +129,46 @@ struct Refused : std::runtime_error {
 struct Engine {
   std::string name, version, law;
   std::function<Answer(const Question&)> ask;
+  std::string law_in_space = {};  ///< empty: it refuses scenes in space
 };
 
 inline Vector vector(const Json& given) {
-  return {given[0], given[1]};
+  return {given[0], given[1], given.size() > 2 ? given[2].get<double>() : 0};
 }
 inline double dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1];
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+/// A vector in the axes of the scene, in those of a body; with `back` the other way.
+inline Vector in_body(const Body& body, const Vector& v, bool back = false) {
+  const double sign = back ? 1 : -1, w = body.turn[0];
+  const Vector axis{sign * body.turn[1], sign * body.turn[2], sign * body.turn[3]};
+  const Vector once = cross(axis, v), twice = cross(axis, once);
+  return {v[0] + 2 * (w * once[0] + twice[0]), v[1] + 2 * (w * once[1] + twice[1]),
+          v[2] + 2 * (w * once[2] + twice[2])};
+}
+
+inline void Answer::push(const Contact& contact, const Vector& force) {
+  push(contact, dot(force, contact.normal), dot(force, contact.tangent));
+  if (contact.forces.size() > 2) forces[contact.forces[2]] += dot(force, contact.second);
 }
 
 inline Body read_body(const Json& given) {
   Body body{given["name"], vector(given["at"]), vector(given["velocity"])};
   body.force = vector(given["force"]);
-  body.torque = given["torque"], body.spin = given["spin"], body.names = given["names"];
+  body.names = given["names"];
   if ((body.is_free = given.contains("mass"))) body.mass = given["mass"];
-  if ((body.turns = given.contains("inertia"))) body.inertia = given["inertia"];
+  body.turns = given.contains("inertia");
   if (!body.is_free) body.acceleration = vector(given["acceleration"]);
-  if (!body.turns) body.turning = given["turning"];
+  if (given["spin"].is_array()) {
+    body.spins = vector(given["spin"]), body.torques = vector(given["torque"]), body.turn = given["turn"];
+    (body.turns ? body.moments : body.turnings) = vector(given[body.turns ? "inertia" : "turning"]);
+  } else {
+    body.spin = given["spin"], body.torque = given["torque"];
+    (body.turns ? body.inertia : body.turning) = given[body.turns ? "inertia" : "turning"];
+  }
   return body;
 }
 
@@ -127,6 +179,7 @@ inline Contact read_contact(const Json& given) {
           vector(given["at"]),
           vector(given["normal"]),
           vector(given["tangent"]),
+          given.contains("second") ? vector(given["second"]) : Vector{},
           given["radius"],
           given["friction"],
           given["forces"]};
@@ -146,7 +199,8 @@ inline Joint read_joint(const Json& given) {
 
 inline Question read_question(const Json& line) {
   const Json &ask = line.at("ask"), &world = ask.at("world");
-  Question q{vector(world["gravity"]), world["size"], ask["step"]};
+  Question q{world["gravity"].size() == 3, vector(world["gravity"]), world["size"], ask["step"]};
+  q.drifts = ask.value("drift", false);
   if (!ask["iterations"].is_null()) q.iterations = ask["iterations"];
   for (const Json& one : world["bodies"]) q.bodies.push_back(read_body(one));
   for (const Json& one : world["contacts"]) q.contacts.push_back(read_contact(one));
@@ -161,8 +215,10 @@ inline Json motion(const Question& q, const Answer& answer) {
   Json result = Json::object();
   for (std::size_t i = 1; i < q.bodies.size(); ++i) {
     const Body& body = q.bodies[i];
-    const std::array<double, 3> before{body.velocity[0], body.velocity[1], body.spin};
-    for (std::size_t k = 0; k < 3; ++k) {
+    const Vector &v = body.velocity, &w = body.spins;
+    const std::array<double, 6> before = q.in_space ? std::array<double, 6>{v[0], v[1], v[2], w[0], w[1], w[2]}
+                                                    : std::array<double, 6>{v[0], v[1], body.spin};
+    for (std::size_t k = 0; k < body.names.size(); ++k) {
       if (body.names[k].is_null()) continue;
       result[body.names[k][0]] = body.names[k][1].get<double>() * (answer.velocity[i][k] - before[k]) / q.step;
     }
@@ -175,12 +231,19 @@ inline Json answer_to(const Engine& engine, const Json& line) {
   result["scene"] = line["name"];
   try {
     const Question question = read_question(line);
+    if (question.in_space && engine.law_in_space.empty()) throw Refused("a scene in space");
     const Answer answer = engine.ask(question);
     result["settings"] = answer.settings;
     result["settings"]["step"] = question.step;
+    if (question.drifts) {
+      if (answer.drift.empty()) throw Refused("the adapter makes one step only");
+      result["drift"] = answer.drift;
+      result["law"] = question.in_space ? engine.law_in_space : engine.law;
+      return result;
+    }
     result["motion"] = motion(question, answer);
     result["forces"] = answer.tells_forces ? Json(answer.forces) : Json();
-    result["law"] = engine.law;
+    result["law"] = question.in_space ? engine.law_in_space : engine.law;
   } catch (const Refused& refused) {
     result["refused"] = refused.what();
   }

@@ -1,5 +1,5 @@
 // What adapters in JavaScript share: reads the lines, gives each scene to the engine, writes the answers. A scene comes
-// as the driver's `world` (asking/world.py): everything in the axes of the scene; body 0 is the ground.
+// as the driver's `world` (asking/world.py, asking/space.py): everything in the axes of the scene; body 0 is the ground.
 import { createInterface } from "node:readline";
 import { readFileSync } from "node:fs";
 import { pathToFileURL } from "node:url";
@@ -18,14 +18,25 @@ export async function engine(name, file) {
   return { version, module: module.default ?? module };
 }
 
-export const dot = (a, b) => a[0] * b[0] + a[1] * b[1];
+export const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
+export const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+
+/** The shortest turn, as x y z w, that brings one direction in space into another. */
+export function turnBetween(from, to) {
+  const w = 1 + dot(from, to);
+  const other = Math.abs(from[0]) < 0.5 ? [1, 0, 0] : [0, 1, 0];
+  const [x, y, z] = w > 1e-9 ? cross(from, to) : cross(from, other);
+  const length = Math.hypot(x, y, z, w > 1e-9 ? w : 0);
+  return [x / length, y / length, z / length, (w > 1e-9 ? w : 0) / length];
+}
 
 /** Whether a body is free, turns freely, or moves as prescribed, and how it moves after the step where prescribed. */
 function withKind(body, step) {
   const free = "mass" in body, turns = "inertia" in body;
   const after = free ? body.velocity : body.velocity.map((v, i) => v + step * body.acceleration[i]);
   return { ...body, free, turns, prescribed: !free && !turns, velocity: body.velocity, velocityAfter: after,
-           spinAfter: turns ? body.spin : body.spin + step * body.turning };
+           spinAfter: turns ? body.spin : Array.isArray(body.spin) ? body.spin.map((w, i) => w + step * body.turning[i]) :
+             body.spin + step * body.turning };
 }
 
 function question(line) {
@@ -39,40 +50,57 @@ function question(line) {
     return { ...c, disc: radius, half: Math.max(radius, 0.01), overlap: 1e-6 * world.size, face: arm(c.on, c.at),
              centre: arm(c.of, c.at.map((p, i) => p + radius * c.normal[i])) };
   });
-  return { ...world, step, iterations, bodies, contacts, arm };
+  return { ...world, step, iterations, drifts: line.ask.drift ?? false, bodies, contacts, arm, inSpace: world.gravity.length === 3 };
 }
 
 /** Accelerations by the names of the unknowns, from the velocities after the step. */
 function motion(q, velocities) {
   const named = q.bodies.slice(1).flatMap((body, i) => {
-    const before = [...body.velocity, body.spin];
+    const before = [...body.velocity, body.spin].flat();
     return body.names.flatMap((name, k) =>
       name ? [[name[0], (name[1] * (velocities[i + 1][k] - before[k])) / q.step]] : []);
   });
   return Object.fromEntries(named);
 }
 
-/** Forces by their names, from [normal, tangential] of each contact; null where the engine tells none. */
+/** Forces by their names, from [normal, tangential] of each contact, in space with two of these; null where the engine
+ * tells none. */
 function forces(q, pairs) {
   if (!pairs) return null;
   return Object.fromEntries(q.contacts.flatMap((c, i) => c.forces.map((name, k) => [name, pairs[i][k]])));
 }
 
-function answer({ name, version, law, ask }, line) {
+/** How far a body is from where it began, over the size, after 1, 10 and 100 steps, of which the first is made. `again()`
+ * makes one more, pushes included, and `place(i)` gives the centre of a body. Nothing unless it is asked. */
+export function drift(q, again, place) {
+  if (!q.drifts) return null;
+  const farthest = {};
+  for (let n = 1; n <= 100; n += 1) {
+    if (n > 1) again();
+    if (![1, 10, 100].includes(n)) continue;
+    farthest[n] = Math.max(...q.bodies.slice(1).map((body, i) => Math.hypot(...place(i + 1).map((p, k) => p - body.at[k])))) / q.size;
+  }
+  return farthest;
+}
+
+function answer({ name, version, law, lawInSpace, ask }, line) {
   const head = { schema: "slipproof/engine-answer/1", engine: name, version, scene: line.name };
   const q = question(line);
   try {
-    const { velocities, contacts, settings } = ask(q);
+    if (q.inSpace && !lawInSpace) throw new Refused("a scene in space");
+    const { velocities, contacts, settings, drift: drifted } = ask(q);
+    if (q.drifts && !drifted) throw new Refused("the adapter makes one step only");
+    if (q.drifts) return { ...head, settings: { ...settings, step: q.step }, drift: drifted, law: q.inSpace ? lawInSpace : law };
     return { ...head, settings: { ...settings, step: q.step }, motion: motion(q, velocities),
-             forces: forces(q, contacts), law };
+             forces: forces(q, contacts), law: q.inSpace ? lawInSpace : law };
   } catch (error) {
     if (error instanceof Refused) return { ...head, refused: error.message };
     throw error;
   }
 }
 
-/** Answers all lines of standard input. `ask(q)` gives `velocities`, [x, y, spin] of each body after the step,
- * `contacts`, [normal, tangential] force of each contact or null, and `settings`. */
+/** Answers all lines of standard input. `ask(q)` gives `velocities`, [x, y, spin] of each body after the step, in space
+ * [x, y, z] and the spin about these; `contacts`, [normal, tangential] force of each contact or null, and `settings`. */
 export async function run(adapter) {
   for await (const line of createInterface({ input: process.stdin })) {
     process.stdout.write(`${JSON.stringify(answer(adapter, JSON.parse(line)))}\n`);

@@ -1,9 +1,9 @@
 // Bullet in binary64: one step of btDiscreteDynamicsWorld, sequential impulses, 10 iterations by default. Contacts are
-// handed over as points of manifolds, so that they are those of the scene. Bodies move in the plane only. What pushes
-// is added to the velocities before the step: Bullet's friction does not see a couple that is applied in the same step.
-// With the argument `applied` it is applied as force and couple, as programs do. With `taken-back` the friction of
-// contacts whose normal impulse fell to 0 is taken back after each sweep, which Bullet does not do: a test of whose
-// mistake it is.
+// handed over as points of manifolds, so that they are those of the scene. In the plane, bodies move in it only. What
+// pushes is added to the velocities before the step: Bullet's friction does not see a couple that is applied in the
+// same step. With the argument `applied` it is applied as force and couple, as programs do. With `taken-back` the
+// friction of contacts whose normal impulse fell to 0 is taken back after each sweep, which Bullet does not do: a test
+// of whose mistake it is.
 #include <btBulletDynamicsCommon.h>
 
 #include <memory>
@@ -15,7 +15,10 @@ using namespace engines;
 namespace {
 
 btVector3 vec(const Vector& v) {
-  return {v[0], v[1], 0};
+  return {v[0], v[1], v[2]};
+}
+Vector vector_of(const btVector3& v) {
+  return {v.x(), v.y(), v.z()};
 }
 
 /// A world whose contacts are given.
@@ -75,19 +78,73 @@ class Scene {
     world_.stepSimulation(q_.step, 1, q_.step);
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       const btVector3 v = bodies_[i]->getLinearVelocity(), w = bodies_[i]->getAngularVelocity();
-      answer.velocity.push_back({v.x(), v.y(), w.z()});
+      if (q_.in_space) {
+        answer.velocity.push_back({v.x(), v.y(), v.z(), w.x(), w.y(), w.z()});
+      } else {
+        answer.velocity.push_back({v.x(), v.y(), w.z()});
+      }
     }
     for (std::size_t i = 0; i < q_.contacts.size(); ++i) {
       const btManifoldPoint& point = manifolds_[i]->getContactPoint(0);
-      const Vector along{point.m_lateralFrictionDir1.x(), point.m_lateralFrictionDir1.y()};
-      answer.push(q_.contacts[i], point.m_appliedImpulse / q_.step,
-                  dot(along, q_.contacts[i].tangent) * point.m_appliedImpulseLateral1 / q_.step);
+      const btVector3 friction = point.m_appliedImpulseLateral1 * point.m_lateralFrictionDir1 +
+                                 point.m_appliedImpulseLateral2 * point.m_lateralFrictionDir2;
+      answer.push(q_.contacts[i],
+                  vector_of((point.m_appliedImpulse * vec(q_.contacts[i].normal) + friction) / q_.step));
+    }
+    if (q_.drifts && q_.in_space) {
+      watch_drift(
+          q_, answer, [&] { step_again(); },
+          [&](std::size_t i) { return vector_of(bodies_[i]->getWorldTransform().getOrigin()); });
     }
     return answer;
   }
 
  private:
+  void add_in_space(const Body& body) {
+    const double mass = body.is_prescribed() ? 0 : body.mass;
+    btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, &shape_, vec(body.moments));
+    const Quaternion& turn = body.turn;
+    info.m_startWorldTransform = btTransform(btQuaternion(turn[1], turn[2], turn[3], turn[0]), vec(body.at));
+    bodies_.push_back(std::make_unique<btRigidBody>(info));
+    btRigidBody& made = *bodies_.back();
+    made.setActivationState(DISABLE_DEACTIVATION);
+    made.setFlags(0);  // no gyroscopic forces
+    if (body.is_prescribed() && !body.is_ground()) {
+      if (body.turnings != Vector{} || body.spins != Vector{}) throw Refused("a body that turns as prescribed");
+      made.setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
+    }
+    world_.addRigidBody(&made, 0, 0);
+    made.setLinearVelocity(vec(body.velocity_after(q_.step)));
+    made.setAngularVelocity(vec(body.spins));
+    if (body.is_prescribed()) {  // Bullet takes the velocity of such a body from where it was one step before
+      btTransform before = made.getWorldTransform();
+      before.setOrigin(before.getOrigin() - q_.step * made.getLinearVelocity());
+      made.setInterpolationWorldTransform(before);
+    } else {
+      push(body, made);
+    }
+  }
+
+  void push(const Body& body, btRigidBody& made) const {
+    if (applied_) {
+      made.applyCentralForce(vec(body.force));
+      made.applyTorque(vec(body.torques));
+    } else {
+      made.setLinearVelocity(made.getLinearVelocity() + q_.step * (vec(q_.gravity) + vec(body.force) / body.mass));
+      made.setAngularVelocity(made.getAngularVelocity() +
+                              q_.step * (made.getInvInertiaTensorWorld() * vec(body.torques)));
+    }
+  }
+  /// One more step in space.
+  void step_again() {
+    for (std::size_t i = 1; i < bodies_.size(); ++i) {
+      if (!q_.bodies[i].is_prescribed()) push(q_.bodies[i], *bodies_[i]);
+    }
+    world_.stepSimulation(q_.step, 1, q_.step);
+  }
+
   void add(const Body& body) {
+    if (q_.in_space) return add_in_space(body);
     const double mass = body.is_prescribed() ? 0
                         : body.is_free       ? body.mass
                                              : 1,
@@ -124,6 +181,10 @@ class Scene {
     }
   }
 
+  /// In the axes of a body.
+  btVector3 local(std::size_t body, const Vector& v) const { return vec(in_body(q_.bodies[body], v)); }
+  btVector3 arm(std::size_t body, const Vector& point) const { return local(body, q_.arm(body, point)); }
+
   template <class J, class... Arguments>
   J& create(const Joint& joint, Arguments&&... arguments) {
     joints_.push_back(std::make_unique<J>(*bodies_[joint.first], *bodies_[joint.second], arguments...));
@@ -132,12 +193,20 @@ class Scene {
   }
 
   void add(const Joint& joint) {
-    const btVector3 a = vec(q_.arm(joint.first, joint.at)), b = vec(q_.arm(joint.second, joint.at));
+    const btVector3 a = arm(joint.first, joint.at), b = arm(joint.second, joint.at);
     const btTransform at_a(btQuaternion::getIdentity(), a), at_b(btQuaternion::getIdentity(), b);
     if (joint.kind == "pin") {
       create<btPoint2PointConstraint>(joint, a, b);
     } else if (joint.kind == "weld") {
       create<btFixedConstraint>(joint, at_a, at_b);
+    } else if (joint.kind == "hinge") {
+      create<btHingeConstraint>(joint, a, b, local(joint.first, joint.axis), local(joint.second, joint.axis));
+    } else if (joint.kind == "slider" && q_.in_space) {
+      const btTransform at(shortestArcQuat({1, 0, 0}, vec(joint.axis)), vec(joint.at));
+      auto& made = create<btSliderConstraint>(joint, bodies_[joint.first]->getWorldTransform().inverse() * at,
+                                              bodies_[joint.second]->getWorldTransform().inverse() * at, true);
+      made.setLowerLinLimit(1), made.setUpperLinLimit(-1);
+      made.setLowerAngLimit(0), made.setUpperAngLimit(0);
     } else if (joint.kind == "slider") {
       const btQuaternion turned({0, 0, 1}, std::atan2(joint.axis[1], joint.axis[0]));
       auto& made = create<btSliderConstraint>(joint, btTransform(turned, a), btTransform(turned, b), true);
@@ -159,8 +228,7 @@ class Scene {
   }
 
   void add(const Contact& contact) {
-    btManifoldPoint point(vec(q_.arm(contact.of, contact.at)), vec(q_.arm(contact.on, contact.at)), vec(contact.normal),
-                          0);
+    btManifoldPoint point(arm(contact.of, contact.at), arm(contact.on, contact.at), vec(contact.normal), 0);
     point.m_positionWorldOnA = point.m_positionWorldOnB = vec(contact.at);
     point.m_combinedFriction = contact.friction;
     btPersistentManifold* manifold = dispatcher_.getNewManifold(bodies_[contact.of].get(), bodies_[contact.on].get());
@@ -187,9 +255,13 @@ int main(int argc, char** argv) {
   const std::string how = argc > 1 ? argv[1] : "";
   const bool applied = how == "applied", taken_back = how == "taken-back";
   const int version = btGetVersion();
-  return run({how.empty() ? "bullet" : "bullet-" + how,
-              std::to_string(version / 100) + "." + std::to_string(version % 100),
-              applied ? "cone in the plane, by sweeps, where friction does not see couples; the first step from rest"
-                      : "cone in the plane, by sweeps; the first step from rest",
-              [=](const Question& q) { return Scene(q, applied, taken_back).step(); }});
+  return run(
+      {how.empty() ? "bullet" : "bullet-" + how, std::to_string(version / 100) + "." + std::to_string(version % 100),
+       applied ? "cone in the plane, by sweeps, where friction does not see couples; the first step from rest"
+               : "cone in the plane, by sweeps; the first step from rest",
+       [=](const Question& q) { return Scene(q, applied, taken_back).step(); },
+       applied ? "one direction of friction at each contact, by sweeps, where friction does not see couples; the "
+                 "first step from rest"
+               : "one direction of friction at each contact, that in which it slips freely, by sweeps; the first "
+                 "step from rest"});
 }

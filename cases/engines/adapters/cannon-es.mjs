@@ -1,18 +1,31 @@
 // cannon-es: one step, 10 iterations by default. Contacts are handed over as contact equations in place of the engine's
 // own search, friction as the engine makes it from them. Contacts are soft (stiffness 1e7, relaxation 3); with many
 // iterations they are made stiff (1e12) and the tolerance of the iteration 0.
-import { Refused, engine, run, dot } from "./adapter.mjs";
+import { Refused, dot, drift, engine, run } from "./adapter.mjs";
 
 const { module: cannon, version } = await engine("cannon-es");
-const vec = ([x, y]) => new cannon.Vec3(x, y, 0);
+const vec = ([x, y, z = 0]) => new cannon.Vec3(x, y, z);
+const spinOf = (spin) => (Array.isArray(spin) ? vec(spin) : vec([0, 0, spin]));
+const list = ({ x, y, z }) => [x, y, z];
 
 function addBody(world, body) {
   const made = new cannon.Body({
     mass: body.prescribed ? 0 : body.mass ?? 1, position: vec(body.at), velocity: vec(body.velocityAfter),
     type: body.prescribed ? cannon.Body.KINEMATIC : cannon.Body.DYNAMIC, linearDamping: 0, angularDamping: 0,
-    angularVelocity: new cannon.Vec3(0, 0, body.spinAfter), allowSleep: false });
+    angularVelocity: spinOf(body.spinAfter), allowSleep: false });
   made.addShape(new cannon.Sphere(1));
-  if (!body.prescribed) {
+  if (body.turn) {
+    const [w, x, y, z] = body.turn;
+    made.quaternion.set(x, y, z, w);
+  }
+  if (!body.prescribed && body.turn) {
+    made.inertia.copy(vec(body.inertia));
+    made.invInertia.copy(vec(body.inertia.map((i) => 1 / i)));
+    made.updateSolveMassProperties();
+    made.updateInertiaWorld(true);
+    made.applyForce(vec(body.force));
+    made.torque.vadd(vec(body.torque), made.torque);
+  } else if (!body.prescribed) {
     const inertia = body.inertia ?? 1;
     made.inertia.set(inertia, inertia, inertia);
     made.invInertia.set(0, 0, body.turns ? 1 / inertia : 0);
@@ -31,7 +44,11 @@ function addBody(world, body) {
 function addJoint(world, bodies, joint, q) {
   const a = bodies[joint.first], b = bodies[joint.second];
   const at = vec(q.arm(joint.first, joint.at)), same = vec(q.arm(joint.second, joint.at));
+  const local = (body, v) => body.quaternion.inverse().vmult(vec(v));
   const made = {
+    hinge: () => new cannon.HingeConstraint(a, b, {
+      pivotA: local(a, q.arm(joint.first, joint.at)), pivotB: local(b, q.arm(joint.second, joint.at)),
+      axisA: local(a, joint.axis), axisB: local(b, joint.axis), maxForce: 1e12 }),
     pin: () => new cannon.PointToPointConstraint(a, at, b, same, 1e12),
     weld: () => new cannon.LockConstraint(a, b, { maxForce: 1e12 }),
   }[joint.kind];
@@ -65,8 +82,8 @@ const stiff = (q) => (q.iterations ? { contactEquationStiffness: 1e12, frictionE
 function told(q, kept) {
   return q.contacts.map((contact, i) => {
     if (!kept[i]) return [0, 0];
-    const tangential = kept[i].friction.reduce((sum, e) => sum - e.multiplier * dot([e.t.x, e.t.y], contact.tangent), 0);
-    return [kept[i].equation.multiplier, tangential];
+    const tangential = (tangent) => kept[i].friction.reduce((sum, e) => sum - e.multiplier * dot(tangent, list(e.t)), 0);
+    return [kept[i].equation.multiplier, ...[contact.tangent, contact.second].filter(Boolean).map(tangential)];
   });
 }
 
@@ -80,9 +97,20 @@ function ask(q) {
   world.solver.iterations = q.iterations ?? 10;
   if (q.iterations) world.solver.tolerance = 0;
   world.step(q.step);
-  const velocities = bodies.map((b) => [b.velocity.x, b.velocity.y, b.angularVelocity.z]);
-  return { velocities, contacts: told(q, kept), settings: { iterations: world.solver.iterations, tolerance: world.solver.tolerance } };
+  const velocities = bodies.map((b) => (q.inSpace ? [...list(b.velocity), ...list(b.angularVelocity)]
+    : [b.velocity.x, b.velocity.y, b.angularVelocity.z]));
+  const contacts = told(q, kept);
+  const again = () => {
+    bodies.forEach((body, i) => {
+      if (q.bodies[i].prescribed) return;
+      body.applyForce(vec(q.bodies[i].force));
+      body.torque.vadd(spinOf(q.bodies[i].torque), body.torque);
+    });
+    world.step(q.step);
+  };
+  return { velocities, contacts, drift: drift(q, again, (i) => list(bodies[i].position)), settings: { iterations: world.solver.iterations, tolerance: world.solver.tolerance } };
 }
 
 await run({ name: "cannon-es", version, ask,
-            law: "impulses of friction, not forces, bounded by mu times gravity times the reduced mass; soft contacts (SPOOK); the first step from rest" });
+            law: "impulses of friction, not forces, bounded by mu times gravity times the reduced mass; soft contacts (SPOOK); the first step from rest",
+            lawInSpace: "pyramid of two directions of the engine's own; impulses of friction, not forces, bounded by mu times gravity times the reduced mass; soft contacts (SPOOK); the first step from rest" });

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector3d;
 
 Vector3d vec(const Vector& v) {
-  return {v[0], v[1], 0};
+  return {v[0], v[1], v[2]};
 }
 
 /// Lets the two shapes of the same contact meet: those of the same name.
@@ -52,36 +52,52 @@ class Scene {
   }
 
   Answer step() {
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      bodies_[i]->addExtForce(vec(q_.bodies[i].force), Vector3d::Zero(), false, true);
-      bodies_[i]->addExtTorque(Vector3d(0, 0, q_.bodies[i].torque), false);
-    }
-    world_->step();
+    push_and_step();
     Answer answer;
     answer.settings = {{"solver", q_.iterations > 0 ? "PGS" : "Dantzig, then PGS"}};
     if (q_.iterations > 0) answer.settings["iterations"] = q_.iterations;
     for (const auto* body : bodies_) {
       const Vector3d v = body->getCOMLinearVelocity(), w = body->getAngularVelocity();
-      answer.velocity.push_back({v[0], v[1], w[2]});
+      if (q_.in_space) {
+        answer.velocity.push_back({v[0], v[1], v[2], w[0], w[1], w[2]});
+      } else {
+        answer.velocity.push_back({v[0], v[1], w[2]});
+      }
     }
     for (const Contact& contact : q_.contacts) answer.push(contact, 0, 0);
     for (const auto& found : world_->getLastCollisionResult().getContacts()) {
       const std::string name = OwnContacts::name(found.collisionObject1);
       const Contact& contact = q_.contacts[std::stoul(name.substr(1))];
       const double sign = name[0] == 'o' ? 1 : -1;  // the force is on the first
-      const Vector force{sign * found.force[0], sign * found.force[1]};
-      answer.push(contact, dot(force, contact.normal), dot(force, contact.tangent));
+      answer.push(contact, {sign * found.force[0], sign * found.force[1], sign * found.force[2]});
+    }
+    if (q_.drifts) {
+      watch_drift(
+          q_, answer, [&] { push_and_step(); },
+          [&](std::size_t i) {
+            const Vector3d at = bodies_[i]->getCOM();
+            return Vector{at[0], at[1], at[2]};
+          });
     }
     return answer;
   }
 
  private:
+  void push_and_step() {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      bodies_[i]->addExtForce(vec(q_.bodies[i].force), Vector3d::Zero(), false, true);
+      bodies_[i]->addExtTorque(q_.in_space ? vec(q_.bodies[i].torques) : Vector3d(0, 0, q_.bodies[i].torque), false);
+    }
+    world_->step();
+  }
+
   template <class J>
   dart::dynamics::BodyNode* create(const dart::dynamics::SkeletonPtr& skeleton, const Body& body, const J& properties) {
     using namespace dart::dynamics;
     const double i = body.turns ? body.inertia : 1;
+    const Vector3d moments = q_.in_space && body.turns ? vec(body.moments) : Vector3d(i, i, i);
     BodyNode::Properties node;
-    node.mInertia = Inertia(body.is_free ? body.mass : 1, Vector3d::Zero(), i * Eigen::Matrix3d::Identity());
+    node.mInertia = Inertia(body.is_free ? body.mass : 1, Vector3d::Zero(), Eigen::Matrix3d(moments.asDiagonal()));
     return skeleton->createJointAndBodyNodePair<typename J::JointKind>(nullptr, properties.properties, node).second;
   }
   template <class T>
@@ -94,31 +110,40 @@ class Scene {
     using namespace dart::dynamics;
     auto skeleton = Skeleton::create(body.name);
     skeletons_.push_back(skeleton);
-    const Eigen::Isometry3d at(Eigen::Translation3d(vec(body.at)));
-    const bool moves = body.acceleration[0] != 0 || body.acceleration[1] != 0 || body.turning != 0 ||
-                       (!body.is_free && (body.velocity[0] != 0 || body.velocity[1] != 0)) ||
-                       (!body.turns && body.spin != 0);
+    Eigen::Isometry3d at(Eigen::Translation3d(vec(body.at)));
+    at.rotate(Eigen::Quaterniond(body.turn[0], body.turn[1], body.turn[2], body.turn[3]));
+    const bool moves = body.acceleration != Vector{} || body.turning != 0 || body.turnings != Vector{} ||
+                       (!body.is_free && body.velocity != Vector{}) ||
+                       (!body.turns && (body.spin != 0 || body.spins != Vector{}));
     if (moves) throw Refused("a body that moves as prescribed");
     const auto hang = [&](auto hung) {
       hung.properties.mT_ParentBodyToJoint = at;
       bodies_.push_back(create(skeleton, body, hung));
     };
+    if (body.is_prescribed()) hang(Hung<WeldJoint>());
+    skeleton->setMobile(!body.is_prescribed());
+    if (body.is_prescribed()) return;
+    if (q_.in_space) {
+      hang(Hung<FreeJoint>());
+      auto* joint = static_cast<FreeJoint*>(skeleton->getJoint(0));
+      joint->setLinearVelocity(vec(body.velocity));
+      joint->setAngularVelocity(vec(body.spins));
+      return;
+    }
     if (body.is_free && body.turns) hang(Hung<PlanarJoint>());
     if (body.is_free && !body.turns) hang(Hung<TranslationalJoint2D>());
     if (!body.is_free && body.turns) hang(Hung<RevoluteJoint>());
-    if (body.is_prescribed()) hang(Hung<WeldJoint>());
     if (body.is_free && body.turns) skeleton->setVelocities(Vector3d(body.velocity[0], body.velocity[1], body.spin));
     if (body.is_free && !body.turns) skeleton->setVelocities(Eigen::Vector2d(body.velocity[0], body.velocity[1]));
     if (!body.is_free && body.turns) skeleton->setVelocity(0, body.spin);
-    skeleton->setMobile(!body.is_prescribed());
   }
 
   void add_shape(const dart::dynamics::ShapePtr& shape, std::size_t body, const std::string& name, const Vector& at,
-                 double angle, double friction) {
+                 const Eigen::Quaterniond& turn, double friction) {
     using namespace dart::dynamics;
     auto* node = bodies_[body]->createShapeNodeWith<CollisionAspect, DynamicsAspect>(shape, name);
     Eigen::Isometry3d placed(Eigen::Translation3d(vec(at)));
-    placed.rotate(Eigen::AngleAxisd(angle, Vector3d::UnitZ()));
+    placed.rotate(turn);
     node->setRelativeTransform(placed);
     node->getDynamicsAspect()->setFrictionCoeff(friction);
     node->getDynamicsAspect()->setRestitutionCoeff(0);
@@ -128,17 +153,25 @@ class Scene {
     using namespace dart::dynamics;
     const std::string number = std::to_string(&contact - q_.contacts.data());
     const double r = q_.disc(contact), half = q_.half(contact);
-    const Vector up = q_.arm(contact.of, contact.at), face = q_.arm(contact.on, contact.at), n = contact.normal;
-    add_shape(std::make_shared<SphereShape>(r + 1e-9 * q_.size), contact.of, "o" + number,
-              {up[0] + r * n[0], up[1] + r * n[1]}, 0, contact.friction);
+    const auto beyond = [&](std::size_t body, double by) {  // along the normal, in the axes of the body
+      Vector at = q_.arm(body, contact.at);
+      for (std::size_t k = 0; k < 3; ++k) at[k] += by * contact.normal[k];
+      return in_body(q_.bodies[body], at);
+    };
+    const Vector n = in_body(q_.bodies[contact.on], contact.normal);
+    const auto turn = q_.in_space ? Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitY(), vec(n))
+                                  : Eigen::Quaterniond(Eigen::AngleAxisd(std::atan2(-n[0], n[1]), Vector3d::UnitZ()));
+    add_shape(std::make_shared<SphereShape>(r + 1e-9 * q_.size), contact.of, "o" + number, beyond(contact.of, r),
+              Eigen::Quaterniond::Identity(), contact.friction);
     add_shape(std::make_shared<BoxShape>(Vector3d(2 * half, 2 * half, 2 * half)), contact.on, "b" + number,
-              {face[0] - half * n[0], face[1] - half * n[1]}, std::atan2(-n[0], n[1]), contact.friction);
+              beyond(contact.on, -half), turn, contact.friction);
   }
 
   void add(dart::constraint::ConstraintSolver& solver, const Joint& joint) {
     using namespace dart::constraint;
     auto *first = bodies_[joint.first], *second = bodies_[joint.second];
     if (q_.bodies[joint.first].is_ground()) std::swap(first, second);
+    if (q_.in_space) throw Refused("joints in space");
     if (joint.kind != "pin" && joint.kind != "weld") throw Refused("DART has no " + joint.kind + " of this kind");
     if (joint.kind == "pin") solver.addConstraint(std::make_shared<BallJointConstraint>(first, second, vec(joint.at)));
     if (joint.kind == "weld") solver.addConstraint(std::make_shared<WeldJointConstraint>(first, second));
@@ -157,5 +190,8 @@ int main() {
       {"dart", DART_VERSION,
        "box of two directions, bounded by mu times the normal force, and by Dantzig's method times the normal force "
        "that the contacts would have without friction; the first step from rest",
-       [](const Question& q) { return Scene(q).step(); }});
+       [](const Question& q) { return Scene(q).step(); },
+       "pyramid of two directions of the engine's own, bounded by mu times the normal force, and by Dantzig's method "
+       "times "
+       "the normal force that the contacts would have without friction; the first step from rest"});
 }

@@ -1,9 +1,10 @@
 // Open Dynamics Engine: one step, by dWorldStep (Dantzig's method) or, with the argument `quick`, by dWorldQuickStep
 // (sweeps). Contacts are handed over as contact joints; dContactApprox1 bounds friction by mu times the normal force,
-// in two directions, of which the one out of the plane has none here: nothing pushes bodies out of their plane, and
-// constraints that say so again would make the matrix singular. Plane2D joints hold what may not turn or not move.
-// Contacts are a little deep, as they are in programs. At depth 0 Dantzig's method meets exact ties, such as the
-// contact of two boxes that fall alike, gives up ("LCP internal error, s <= 0") and leaves all forces 0.
+// in two directions, in space those of the scene's tangents. In the plane the one out of it has none here: nothing
+// pushes bodies out of their plane, and constraints that say so again would make the matrix singular. Plane2D joints
+// hold what may not turn or not move. Contacts are a little deep, as they are in programs. At depth 0 Dantzig's method
+// meets exact ties, such as the contact of two boxes that fall alike, gives up ("LCP internal error, s <= 0") and
+// leaves all forces 0.
 #include <ode/ode.h>
 
 #include <deque>
@@ -17,7 +18,7 @@ namespace {
 class Scene {
  public:
   explicit Scene(const Question& q) : q_(q) {
-    dWorldSetGravity(world_, q.gravity[0], q.gravity[1], 0);
+    dWorldSetGravity(world_, q.gravity[0], q.gravity[1], q.gravity[2]);
     dWorldSetERP(world_, 1);
     for (const Body& body : q.bodies) add(body);
     for (const Joint& joint : q.joints) add(joint);
@@ -34,21 +35,30 @@ class Scene {
   Answer step(bool quick) {
     Answer answer;
     if (quick && q_.iterations > 0) dWorldSetQuickStepNumIterations(world_, q_.iterations);
-    if (quick) {
-      dWorldQuickStep(world_, q_.step);
-      answer.settings["iterations"] = dWorldGetQuickStepNumIterations(world_);
-    } else {
-      dWorldStep(world_, q_.step);
-    }
+    const auto make = [&] { quick ? dWorldQuickStep(world_, q_.step) : dWorldStep(world_, q_.step); };
+    make();
+    if (quick) answer.settings["iterations"] = dWorldGetQuickStepNumIterations(world_);
     answer.settings["CFM"] = dWorldGetCFM(world_);
     for (dBodyID body : bodies_) {
       const dReal zero[3] = {0, 0, 0};
       const dReal *v = body ? dBodyGetLinearVel(body) : zero, *w = body ? dBodyGetAngularVel(body) : zero;
-      answer.velocity.push_back({v[0], v[1], w[2]});
+      if (q_.in_space) {
+        answer.velocity.push_back({v[0], v[1], v[2], w[0], w[1], w[2]});
+      } else {
+        answer.velocity.push_back({v[0], v[1], w[2]});
+      }
     }
     for (std::size_t i = 0; i < q_.contacts.size(); ++i) {
-      const Vector f{feedback_[i].f1[0], feedback_[i].f1[1]};
-      answer.push(q_.contacts[i], dot(f, q_.contacts[i].normal), dot(f, q_.contacts[i].tangent));
+      const Vector f{feedback_[i].f1[0], feedback_[i].f1[1], feedback_[i].f1[2]};
+      answer.push(q_.contacts[i], f);
+    }
+    if (q_.drifts && q_.in_space) {
+      watch_drift(
+          q_, answer, [&] { push_all(), make(); },
+          [&](std::size_t i) {
+            const dReal* at = dBodyGetPosition(bodies_[i]);
+            return Vector{at[0], at[1], at[2]};
+          });
     }
     return answer;
   }
@@ -61,6 +71,7 @@ class Scene {
     }
     dBodyID b = dBodyCreate(world_);
     bodies_.push_back(b);
+    if (q_.in_space) return add_in_space(body, b);
     dBodySetPosition(b, body.at[0], body.at[1], 0);
     const Vector v = body.is_free ? body.velocity : body.velocity_after(q_.step);
     dBodySetLinearVel(b, v[0], v[1], 0);
@@ -86,17 +97,46 @@ class Scene {
     }
   }
 
+  void add_in_space(const Body& body, dBodyID b) {
+    const Vector v = body.velocity_after(q_.step), &w = body.spins, &i = body.moments;
+    dBodySetPosition(b, body.at[0], body.at[1], body.at[2]);
+    const dQuaternion turn{body.turn[0], body.turn[1], body.turn[2], body.turn[3]};
+    dBodySetQuaternion(b, turn);
+    dBodySetLinearVel(b, v[0], v[1], v[2]);
+    dBodySetAngularVel(b, w[0], w[1], w[2]);
+    if (body.is_prescribed()) {
+      if (body.turnings != Vector{}) throw Refused("a body that turns as prescribed");
+      return dBodySetKinematic(b);
+    }
+    dMass mass;
+    dMassSetParameters(&mass, body.mass, 0, 0, 0, i[0], i[1], i[2], 0, 0, 0);
+    dBodySetMass(b, &mass);
+    dBodySetGyroscopicMode(b, 0);
+    push(body, b);
+  }
+
+  static void push(const Body& body, dBodyID b) {
+    dBodyAddForce(b, body.force[0], body.force[1], body.force[2]);
+    dBodyAddTorque(b, body.torques[0], body.torques[1], body.torques[2]);
+  }
+  void push_all() {
+    for (std::size_t i = 1; i < bodies_.size(); ++i) {
+      if (!q_.bodies[i].is_prescribed()) push(q_.bodies[i], bodies_[i]);
+    }
+  }
+
   void add(const Joint& joint) {
     dBodyID first = bodies_[joint.first], second = bodies_[joint.second];
-    if (joint.kind == "pin") {
+    if (joint.kind == "pin" || joint.kind == "hinge") {
+      const Vector axis = q_.in_space ? joint.axis : Vector{0, 0, 1};
       dJointID j = dJointCreateHinge(world_, joints_);
       dJointAttach(j, first, second);
-      dJointSetHingeAnchor(j, joint.at[0], joint.at[1], 0);
-      dJointSetHingeAxis(j, 0, 0, 1);
+      dJointSetHingeAnchor(j, joint.at[0], joint.at[1], joint.at[2]);
+      dJointSetHingeAxis(j, axis[0], axis[1], axis[2]);
     } else if (joint.kind == "slider") {
       dJointID j = dJointCreateSlider(world_, joints_);
       dJointAttach(j, first, second);
-      dJointSetSliderAxis(j, joint.axis[0], joint.axis[1], 0);
+      dJointSetSliderAxis(j, joint.axis[0], joint.axis[1], joint.axis[2]);
     } else if (joint.kind == "weld") {
       dJointID j = dJointCreateFixed(world_, joints_);
       dJointAttach(j, first, second);
@@ -104,8 +144,8 @@ class Scene {
     } else if (joint.kind == "rod") {
       dJointID j = dJointCreateDBall(world_, joints_);
       dJointAttach(j, first, second);
-      dJointSetDBallAnchor1(j, joint.at[0], joint.at[1], 0);
-      dJointSetDBallAnchor2(j, joint.to[0], joint.to[1], 0);
+      dJointSetDBallAnchor1(j, joint.at[0], joint.at[1], joint.at[2]);
+      dJointSetDBallAnchor2(j, joint.to[0], joint.to[1], joint.to[2]);
     } else {
       throw Refused("ODE has no " + joint.kind);
     }
@@ -125,7 +165,7 @@ class Scene {
     double largest = std::sqrt(dot(q_.gravity, q_.gravity));
     for (const Body& body : q_.bodies) {
       if (body.is_free) largest = std::max(largest, std::sqrt(dot(body.force, body.force)) / body.mass);
-      if (body.turns) largest = std::max(largest, std::abs(body.torque) / body.inertia * q_.size);
+      if (body.turns && !q_.in_space) largest = std::max(largest, std::abs(body.torque) / body.inertia * q_.size);
     }
     return largest;
   }
@@ -134,8 +174,9 @@ class Scene {
     dContact given{};
     given.surface.mode = dContactFDir1 | dContactApprox1 | dContactMu2;
     given.surface.mu = contact.friction;
+    if (q_.in_space) given.surface.mu2 = contact.friction;
     given.geom.depth = 1e-9 * q_.step * q_.step * natural();
-    for (int i = 0; i < 2; ++i) {
+    for (int i = 0; i < 3; ++i) {
       given.geom.pos[i] = contact.at[i], given.geom.normal[i] = contact.normal[i], given.fdir1[i] = contact.tangent[i];
     }
     dJointID joint = dJointCreateContact(world_, joints_, &given);
@@ -161,5 +202,8 @@ int main(int argc, char** argv) {
                   ? "cone, by sweeps; the first step from rest"
                   : "friction bounded by mu times the normal force that the contacts would have without friction; the "
                     "first step from rest",
-              [&](const Question& q) { return Scene(q).step(quick); }});
+              [&](const Question& q) { return Scene(q).step(quick); },
+              quick ? "pyramid of two directions along the scene's tangents, by sweeps; the first step from rest"
+                    : "pyramid of two directions along the scene's tangents, each bounded by mu times the normal force "
+                      "that the contacts would have without friction; the first step from rest"});
 }

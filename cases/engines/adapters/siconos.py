@@ -37,11 +37,17 @@ def ask(line):
         raise Refused("slipproof exports no contact problem of the scene at these values")
     names = [name for body in line["bodies"] for name, _ in body["unknowns"]]
     contacts = [c for c in line["contacts"] if c.get("state") != "open"]
+    in_space = len(line["gravity"]) == 3
+    if in_space and any(c.get("state") == "slides" for c in contacts):
+        raise Refused("a contact that slides already: the problem is one from rest")
+    if in_space and LEMKE:
+        raise Refused("a scene in space: Lemke's method is for the plane")
     H, P, p = reduced(problem)
     if problem["contacts"] != [c["name"] for c in contacts] or len(names) != len(p):
         raise Refused("elements that a planar contact problem does not have")
     r, u = np.zeros(H.shape[1]), np.zeros(H.shape[1])
-    options = sn.SolverOptions(sn.SICONOS_FRICTION_2D_LEMKE if LEMKE else sn.SICONOS_FRICTION_2D_NSGS)
+    options = sn.SolverOptions(sn.SICONOS_FRICTION_2D_LEMKE if LEMKE else
+                               sn.SICONOS_FRICTION_3D_NSGS if in_space else sn.SICONOS_FRICTION_2D_NSGS)
     if line["ask"]["iterations"] and not LEMKE:
         options.iparam[sn.SICONOS_IPARAM_MAX_ITER] = line["ask"]["iterations"]
         options.dparam[sn.SICONOS_DPARAM_TOL] = 1e-14
@@ -49,9 +55,10 @@ def ask(line):
                 "tolerance": float(options.dparam[sn.SICONOS_DPARAM_TOL])}
     q = H.T @ p + numbers(problem["w"])
     if len(r):
-        given = sn.FrictionContactProblem(2, H.T @ P, q, numbers(problem["mu"]))
-        settings["info"] = int(sn.fc2d_driver(given, r, u, options))
-    forces = {name: float(r[2 * i + k]) for i, c in enumerate(contacts) for k, name in enumerate(c["forces"])}
+        size = 3 if in_space else 2
+        given = sn.FrictionContactProblem(size, H.T @ P, q, numbers(problem["mu"]))
+        settings["info"] = int((sn.fc3d_driver if in_space else sn.fc2d_driver)(given, r, u, options))
+    forces = {name: float(r[(3 if in_space else 2) * i + k]) for i, c in enumerate(contacts) for k, name in enumerate(c["forces"])}
     return dict(zip(names, map(float, P @ r + p))), forces, settings
 
 

@@ -29,7 +29,14 @@ class Engine:
         self.floor = 1e-5 if given.get("binary32") else 1e-6  # what counts as motion at a threshold
         self.program, *self.arguments = given["program"]
         self.given = given
+        self.shapes = given.get("shapes", False)  # it finds the contacts of whole shapes
         self.command = None
+
+    def has(self, scene):
+        """Whether it is asked such a scene at all."""
+        if self.shapes:
+            return scene.in_space and scene.on_floor()
+        return not (scene.in_space and self.given.get("plane"))
 
     def prepare(self, folder):
         """Builds the adapter in a folder, where the packages of npm are, too. Raises NotAsked."""

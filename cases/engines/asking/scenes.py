@@ -9,6 +9,7 @@ import tempfile
 from fractions import Fraction
 from pathlib import Path
 
+from .space import WorldInSpace, own_shapes
 from .world import Refused, step_of, world
 
 
@@ -17,6 +18,22 @@ class Scene:
         self.file, self.program = Path(file), program
         self.name = f"{self.file.parent.name}/{self.file.stem}"
         self.expected = expected
+        self.in_space = self.file.parent.name.startswith("space-")
+
+    @property
+    def rests(self):
+        """Whether rest is its one motion, in space."""
+        motions = self.expected["motions"] if self.expected else []
+        return self.in_space and self.expected["can_rest"] is True and len(motions) == 1 and all(
+            value.get("double", 0) == 0 for value in motions[0]["accelerations"].values())
+
+    def on_floor(self):
+        """Whether it is one body on a level floor, with shapes that engines have."""
+        try:
+            self.question(None, shapes=True)
+        except Refused:
+            return False
+        return True
 
     def bodies(self, *settings):
         """The scene in numbers, at NAME=VALUE settings. Raises Refused, with the words of slipproof."""
@@ -37,10 +54,12 @@ class Scene:
                 raise Refused(f"slipproof export: {told.stderr.strip()}")
             return json.loads(file.read_text())
 
-    def question(self, iterations, *settings):
-        """A line for an adapter. Raises Refused."""
+    def question(self, iterations, *settings, shapes=False):
+        """A line for an adapter, with the shapes of the body that stands on the floor. Raises Refused."""
         scene = self.bodies(*settings)
-        built = world(scene)
+        built = WorldInSpace(scene).built() if len(scene["gravity"]) == 3 else world(scene)
+        if shapes:
+            built["shapes"] = own_shapes(scene, built)
         return scene | {"ask": {"step": step_of(built), "iterations": iterations, "world": built}}
 
 

@@ -15,8 +15,10 @@ Where it does not, the engine only creeps past the floor. The floor begins at a 
 as long as that leads to the same kink.
 """
 
+import math
 from fractions import Fraction
 
+from .space import cross, dot
 from .world import Refused, natural
 
 GRID = 2.0**-30  # of the interval: where engines are asked
@@ -48,7 +50,7 @@ def states(side):
 
 def deciding(change):
     """[(element, kind, sign)]: what is positive above and 0 below (sign 1) or the other way round (-1); kind is `gap`,
-    or the sign with which a slip counts. All have the sign of the first."""
+    in space `slip`, or in the plane the sign with which a slip counts. All have the sign of the first."""
     result = []
     for element, (below, above) in enumerate(zip(states(change["below"]), states(change["above"]))):
         if below & above:
@@ -56,9 +58,11 @@ def deciding(change):
         for one, other, sign in ((below, above, 1), (above, below, -1)):
             if other == {"lift"}:
                 result.append((element, "gap", sign))
+            elif other == {"slip"} and one == {"stick"}:
+                result.append((element, "slip", sign))
             elif other in ({"slip+"}, {"slip-"}) and one == {"stick"}:
                 result.append((element, 1 if other == {"slip+"} else -1, sign))
-    unique = {(element, kind if kind == "gap" else abs(kind)): (element, kind, sign) for element, kind, sign in result}
+    unique = {(element, kind if isinstance(kind, str) else abs(kind)): (element, kind, sign) for element, kind, sign in result}
     if not unique:
         raise Refused("no contact tells both sides of the threshold apart")
     result = list(unique.values())
@@ -67,12 +71,23 @@ def deciding(change):
 
 def acceleration(bodies, values, number, point):
     body = bodies[number]
+    if len(point) == 3:
+        return acceleration_in_space(body, values, point)
     own = list(body.get("acceleration", [0, 0])) + [body.get("turning", 0)]
     for i, name in enumerate(body["names"]):
         if name:
             own[i] = values[name[0]] * name[1]
     x, y = (p - q for p, q in zip(point, body["at"]))
     return own[0] - own[2] * y, own[1] + own[2] * x, own[2]
+
+
+def acceleration_in_space(body, values, point):
+    own = list(body.get("acceleration", [0, 0, 0])) + list(body.get("turning", [0, 0, 0]))
+    for i, name in enumerate(body["names"]):
+        if name:
+            own[i] = values[name[0]] * name[1]
+    turning = cross(own[3:], [p - q for p, q in zip(point, body["at"])])
+    return [a + b for a, b in zip(own, turning)]
 
 
 def quantity(built, values, element, kind):
@@ -84,6 +99,9 @@ def quantity(built, values, element, kind):
         return kind * (turning[0] - turning[1])
     contact = contacts[element]
     of, on = (acceleration(built["bodies"], values, contact[side], contact["at"]) for side in ("of", "on"))
+    if kind == "slip":
+        apart = [p - q for p, q in zip(of, on)]
+        return math.hypot(dot(contact["tangent"], apart), dot(contact["second"], apart))
     along = contact["normal"] if kind == "gap" else contact["tangent"]
     return (1 if kind == "gap" else kind) * sum(d * (p - q) for d, p, q in zip(along, of, on))
 

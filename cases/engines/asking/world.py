@@ -1,4 +1,5 @@
-"""A scene of `slipproof export --bodies` as engines build it: everything in the axes of the scene, at the start.
+"""A scene of `slipproof export --bodies` in the plane as engines build it: everything in the axes of the scene, at the
+start.
 
 `world(scene)` gives
   gravity, size      a vector; a length of the bodies, for what an engine needs a size of
@@ -145,6 +146,15 @@ def world(scene):
     return World(scene).built()
 
 
+def length(value):
+    """Of a vector, or of a turning in the plane, which is a number."""
+    return math.hypot(*value) if isinstance(value, list) else abs(value)
+
+
+def least_inertia(body):
+    return min(body["inertia"]) if isinstance(body["inertia"], list) else body["inertia"]
+
+
 def natural(built):
     """The largest acceleration that gravity, forces and couples give to bodies that nothing holds; a couple at the
     scene's size."""
@@ -153,7 +163,7 @@ def natural(built):
         if body.get("mass"):
             result = max(result, math.hypot(*body["force"]) / body["mass"])
         if body.get("inertia"):
-            result = max(result, abs(body["torque"]) / body["inertia"] * built["size"])
+            result = max(result, length(body["torque"]) / least_inertia(body) * built["size"])
     return result
 
 
@@ -167,8 +177,8 @@ def step_of(built):
         if body.get("mass"):
             fastest = max(fastest, push / body["mass"])
         if body.get("inertia"):
-            fastest = max(fastest, (abs(body["torque"]) + push * size) / body["inertia"] * size)
-        speed = max(speed, math.hypot(*body["velocity"]), abs(body["spin"]) * size)
+            fastest = max(fastest, (length(body["torque"]) + push * size) / least_inertia(body) * size)
+        speed = max(speed, math.hypot(*body["velocity"]), length(body["spin"]) * size)
     limits = [0.1 * math.sqrt(size / fastest)] if fastest else []
     if speed:
         limits += [0.01 * size / speed] + ([0.01 * speed / fastest] if fastest else [])

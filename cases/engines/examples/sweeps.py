@@ -40,6 +40,8 @@ def compliance(body, along, r):
 
 def ask(line):
     world = line["ask"]["world"]
+    if len(world["gravity"]) == 3:
+        raise Refused("a scene in space")
     if world["joints"] or world["friction"]:
         raise Refused("it has contacts only")
     bodies = world["bodies"]

@@ -18,21 +18,6 @@ ElementState state_of(const std::string& mode) {
   return mode == "stick" ? ElementState::stick : mode == "touch" ? ElementState::touch : ElementState::lift;
 }
 
-MotionSet set_of(const SolvedSpace& solved) {
-  MotionSet set;
-  set.in_space = true;
-  set.complete = solved.complete() && std::ranges::all_of(solved.motions, &SpaceMotion::exists);
-  for (const SpaceMotion& motion : solved.motions) {
-    if (!motion.exists) continue;
-    MechanismMode mode;
-    for (const std::string& one : motion.modes) mode.push_back(state_of(one));
-    motion.is_continuum() ? set.continua.push_back(std::move(mode)) : set.motions.push_back({std::move(mode)});
-  }
-  std::ranges::sort(set.motions);
-  std::ranges::sort(set.continua);
-  return set;
-}
-
 /// The scene at other values of a freed symbol and of the load.
 class PlaceSolver {
  public:
@@ -48,7 +33,7 @@ class PlaceSolver {
     there.values = freed_->values(x);
     there.load = load;
     try {
-      return set_of(solve_space(std::move(there), options_));
+      return motion_set(solve_space(std::move(there), options_));
     } catch (const InputError&) {  // such as links that contradict each other there
       return std::nullopt;
     }
@@ -68,6 +53,21 @@ void expect_solvable(const MechanismScene& scene, const std::optional<Rational>&
 }
 
 }  // namespace
+
+MotionSet motion_set(const SolvedSpace& solved) {
+  MotionSet set;
+  set.in_space = true;
+  set.complete = solved.complete() && std::ranges::all_of(solved.motions, &SpaceMotion::exists);
+  for (const SpaceMotion& motion : solved.motions) {
+    if (!motion.exists) continue;
+    MechanismMode mode;
+    for (const std::string& one : motion.modes) mode.push_back(state_of(one));
+    motion.is_continuum() ? set.continua.push_back(std::move(mode)) : set.motions.push_back({std::move(mode)});
+  }
+  std::ranges::sort(set.motions);
+  std::ranges::sort(set.continua);
+  return set;
+}
 
 Plane space_plane(const MechanismScene& scene, const MechanismAxes& axes, std::string id, Work effort) {
   const auto freed = freed_for(scene, axes);

@@ -34,9 +34,10 @@ class AnswerReader {
       answer.threshold = {text("parameter", true), number("changes_at"), number("within"), {}};
       if (line_.contains("floor")) answer.threshold->floor = number("floor");
     }
+    if (line_.contains("drift")) read_drift(answer);
     const bool says_why = !answer.refused.empty() || !answer.failed.empty();
-    if (answer.motion.empty() && !answer.threshold && !says_why) {
-      mistakes_.add(place_, "found no motion, changes_at, refused or failed, expected one of them");
+    if (answer.motion.empty() && !answer.threshold && answer.drift.empty() && !says_why) {
+      mistakes_.add(place_, "found no motion, changes_at, drift, refused or failed, expected one of them");
     }
     return answer;
   }
@@ -75,6 +76,15 @@ class AnswerReader {
       }
     }
     if (!answer.failed.empty()) answer.motion.clear();
+  }
+
+  void read_drift(EngineAnswer& answer) {
+    const Line& drift = line_["drift"];
+    if (!drift.is_object()) return wrong("drift", "an object of numbers");
+    for (const auto& [steps, value] : drift.items()) {
+      if (!value.is_number()) return wrong("drift", "an object of numbers");
+      answer.drift.emplace(steps, value.get<double>());
+    }
   }
 
   const Line& line_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,19 +19,20 @@ struct EngineThreshold {
   std::optional<double> floor;  ///< least acceleration that counted as motion, over the scene's natural acceleration
 };
 
-/// An answer of an engine: a motion, a threshold, or a reason why there is neither.
+/// An answer of an engine: a motion, a threshold, a drift, or a reason why there is none of them.
 struct EngineAnswer {
   std::string engine, version;
   std::string scene;     ///< CLASS/NAME
-  std::string asked;     ///< `default`, `many iterations`, `threshold`
+  std::string asked;     ///< `default`, `many iterations`, `threshold`, `drift`
   std::string law;       ///< the law that the engine solves, in its own words
   std::string settings;  ///< the settings, as written in the line
   std::string date;
   std::vector<std::pair<std::string, double>> motion;  ///< accelerations by the names of the mechanism's unknowns
   std::optional<EngineThreshold> threshold;
-  std::string refused;  ///< why the engine cannot have such a scene
-  std::string failed;   ///< why it gave no answer: a crash, a number that is not finite
-  Place place;          ///< its line
+  std::map<std::string, double> drift;  ///< by the number of steps: how far a body moves that rests, over the size
+  std::string refused;                  ///< why the engine cannot have such a scene
+  std::string failed;                   ///< why it gave no answer: a crash, a number that is not finite
+  Place place;                          ///< its line
 };
 
 /// Reads all answers in a file. Throws InputError with all mistakes.

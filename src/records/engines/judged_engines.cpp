@@ -28,7 +28,10 @@ std::vector<fs::path> files_in(const fs::path& folder, std::string_view extensio
 }
 
 EngineScene scene_of(const fs::path& file, const fs::path& scenes) {
-  return {fs::relative(file, scenes).replace_extension().generic_string(), file, read_scene(file.string()), {}};
+  return {fs::relative(file, scenes).replace_extension().generic_string(),
+          file,
+          read_scene(file.string(), Dimensions::any),
+          {}};
 }
 
 void judge(const RecordJudge& judge, ExactJudge& exact, JudgedEngineAnswer& judged) {

@@ -32,6 +32,7 @@ std::string error_text(double error) {
 }
 
 std::string share_text(const EngineCounts& counts) {
+  if (answered(counts) == 0) return "–";
   return fmt::format("{} of {}", counts[static_cast<std::size_t>(EngineVerdict::right)], answered(counts));
 }
 
@@ -55,6 +56,16 @@ void add_verdict(const Element& parent, EngineVerdict verdict, std::string_view 
   add_chip(parent, chips[i], signs[i], words);
 }
 
+void add_sign(const Element& parent, EngineVerdict verdict) {
+  const auto i = static_cast<std::size_t>(verdict);
+  parent.add("span", "chip " + std::string(chips[i])).text(signs[i].substr(0, signs[i].size() - 1));
+}
+
+std::string verdict_words(const JudgedEngineAnswer& one) {
+  const bool off = one.distance && one.verdict != EngineVerdict::right;
+  return std::string(name(one.verdict)) + (off ? ", " + error_text(*one.distance) : "");
+}
+
 ReportCell verdict_cell(const JudgedEngineAnswer& one, const std::string& href) {
   std::string words = std::string(name(one.verdict));
   if (one.distance && one.verdict != EngineVerdict::right) words = error_text(*one.distance);
@@ -72,6 +83,10 @@ std::string answer_text(const EngineAnswer& answer) {
            (found.floor ? fmt::format(", where motion exceeds a floor of {:g}", *found.floor) : "");
   }
   std::string text;
+  for (const auto& [steps, moved] : answer.drift) {
+    text += fmt::format("{}{} of the size in {} step{}", text.empty() ? "moves by " : ", ", error_text(moved), steps,
+                        steps == "1" ? "" : "s");
+  }
   for (const auto& [name, value] : answer.motion) {
     text += fmt::format("{}{} = {:.6g}", text.empty() ? "" : ", ", name, value);
   }

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "base/algebra/real_roots.hpp"
+#include "base/number/binary64.hpp"
 #include "base/output/json.hpp"
 #include "base/parallel/in_parallel.hpp"
 
@@ -15,8 +16,9 @@ namespace {
 
 constexpr std::string_view threshold_asked = "threshold";  // or `threshold, many iterations`
 
-bool is_about_threshold(const EngineAnswer& answer) {
-  return answer.threshold || answer.asked.starts_with(threshold_asked);
+/// Not about the motion of a scene as it is.
+bool is_about_more(const EngineAnswer& answer) {
+  return answer.threshold || answer.asked.starts_with(threshold_asked) || answer.asked == "drift";
 }
 
 /// How the engine was asked for a threshold: `default`, `many iterations`.
@@ -26,14 +28,24 @@ std::string way_of(const EngineAnswer& answer) {
   return way.empty() ? "default" : way;
 }
 
+double place_of(const MotionChange& change) {
+  RealRoot at = change.at;
+  return nearest_binary64(at);
+}
+/// In the middle of what is proved to hold it.
+double place_of(const ChangeInSpace& change) {
+  return nearest_binary64((change.lower + change.upper) / 2);
+}
+
 /// Where the motions of a scene change.
-std::vector<double> changes_of(const ExpectedAnswer& expected) {
-  std::vector<double> changes;
-  for (const MotionChange& change : expected.changes) {
-    RealRoot at = change.at;
-    changes.push_back(nearest_binary64(at));
-  }
-  return changes;
+std::vector<double> changes_of(const Expected& expected) {
+  std::vector<double> places;
+  std::visit(
+      [&](const auto& answer) {
+        for (const auto& change : answer.changes) places.push_back(place_of(change));
+      },
+      expected);
+  return places;
 }
 
 std::optional<double> nearest(const std::vector<double>& values, double to) {
@@ -53,10 +65,10 @@ Json counts_json(const EngineCounts& counts) {
 
 EngineResults engine_results(JudgedEngines judged) {
   EngineResults results{std::move(judged), {}};
-  std::vector<std::optional<ExpectedAnswer>> expected(results.judged.scenes.size());
+  std::vector<std::optional<Expected>> expected(results.judged.scenes.size());
   in_parallel(0, expected.size(), [&](std::size_t i) {
     const EngineScene& scene = results.judged.scenes[i];
-    expected[i] = expected_answer(scene.scene, scene.name);
+    expected[i] = expected_of(scene.scene, scene.name);
   });
   for (auto& one : expected) results.expected.push_back(std::move(*one));
   return results;
@@ -114,7 +126,7 @@ std::vector<EngineRow> engine_rows(const JudgedEngines& judged) {
   std::map<std::pair<std::string, std::string>, EngineRow> rows;
   for (const EngineScene& scene : judged.scenes) {
     for (const JudgedEngineAnswer& one : scene.answers) {
-      if (is_about_threshold(one.answer)) continue;
+      if (is_about_more(one.answer)) continue;
       EngineRow& row = rows[{one.answer.engine, one.answer.asked}];
       if (row.engine.empty()) {
         row.engine = one.answer.engine, row.asked = one.answer.asked;

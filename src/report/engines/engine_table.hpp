@@ -14,7 +14,7 @@ namespace slipproof {
 /// Judged answers with the motions of their scenes.
 struct EngineResults {
   JudgedEngines judged;
-  std::vector<ExpectedAnswer> expected;  ///< of each scene
+  std::vector<Expected> expected;  ///< of each scene
 };
 /// Solves the scenes, in parallel. Throws InputError where that fails.
 EngineResults engine_results(JudgedEngines judged);

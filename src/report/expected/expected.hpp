@@ -6,19 +6,16 @@
 #include <vector>
 
 #include "claims/uniqueness/expected_answer.hpp"
-#include "contact/space/solved_space.hpp"
+#include "report/expected/expected_in_space.hpp"
 
 namespace slipproof {
 
-/// The same of a scene in space.
-struct ExpectedInSpace {
-  std::string id;
-  SolvedSpace solved;
-};
 using Expected = std::variant<ExpectedAnswer, ExpectedInSpace>;
 
-/// Throws InputError for a [threshold], which can be followed in the plane only.
-void refuse_threshold(const MechanismScene& scene, const std::string& id);
+/// Solves a scene in the plane or in space. Throws InputError as expected_answer() and expected_in_space() do.
+Expected expected_of(MechanismScene scene, const std::string& id);
+/// Its scene.
+const MechanismScene& scene_of(const Expected& expected);
 
 /// Schema slipproof/expected/1 (cases/engines/README.md): one document, or for several scenes an array of them. Numbers
 /// are exact, and the nearest binary64; in space they may be ranges that are proved to hold them.

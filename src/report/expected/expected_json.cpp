@@ -1,7 +1,6 @@
 #include <string_view>
 
 #include "base/algebra/real_roots.hpp"
-#include "base/input/diagnostic.hpp"
 #include "base/number/binary64.hpp"
 #include "base/number/format.hpp"
 #include "mechanics/kernel/motion.hpp"
@@ -158,6 +157,33 @@ std::string_view how_many(const SolvedSpace& solved) {
   return solved.motions.empty() ? "none" : solved.motions.size() == 1 ? "one" : "several";
 }
 
+Json known_json(const std::optional<bool>& known) {
+  return known ? Json(*known) : Json(nullptr);
+}
+
+/// Each motion has one mode in space.
+Json there_json(const MotionSet& set) {
+  Json motions = Json::array(), continua = Json::array();
+  for (const auto& modes : set.motions) motions.push_back(Json::array({mode_name(set, modes.front())}));
+  for (const MechanismMode& mode : set.continua) continua.push_back(mode_name(set, mode));
+  return {{"motions", std::move(motions)}, {"continua", std::move(continua)}};
+}
+
+Json threshold_json(const ExpectedInSpace& answer) {
+  const auto& given = answer.solved.scene.threshold;
+  if (!given) return nullptr;
+  Json changes = Json::array();
+  for (const ChangeInSpace& change : answer.changes) {
+    changes.push_back({{"at", range_json(Range{change.lower, change.upper})},
+                       {"below", there_json(change.below)},
+                       {"above", there_json(change.above)}});
+  }
+  return {{"parameter", given->parameter},
+          {"from", number_json(given->from)},
+          {"to", number_json(given->to)},
+          {"changes", std::move(changes)}};
+}
+
 Json document_of(const ExpectedAnswer& answer) {
   return ExpectedDocument(answer).whole();
 }
@@ -172,6 +198,9 @@ Json document_of(const ExpectedInSpace& answer) {
     document["motions"].push_back(expected_motion(solved.scene.mechanism, motion));
   }
   document["undecided"] = solved.undecided;
+  document["can_rest"] = known_json(answer.can_rest);
+  document["must_rest"] = known_json(answer.must_rest);
+  document["threshold"] = threshold_json(answer);
   return document;
 }
 
@@ -179,11 +208,13 @@ Json document_of(const ExpectedInSpace& answer) {
 
 }  // namespace expected
 
-void refuse_threshold(const MechanismScene& scene, const std::string& id) {
-  if (!scene.threshold) return;
-  throw InputError({{scene.mechanism.file, 0, 0,
-                     id + ": [threshold]: found one of a scene in space, expected none: only in the plane can the "
-                          "motions be followed along a parameter"}});
+Expected expected_of(MechanismScene scene, const std::string& id) {
+  if (scene.mechanism.dimension == 2) return expected_answer(std::move(scene), id);
+  return expected_in_space(std::move(scene), id);
+}
+
+const MechanismScene& scene_of(const Expected& expected) {
+  return std::visit([](const auto& one) -> const MechanismScene& { return one.solved.scene; }, expected);
 }
 
 std::string expected_json(const std::vector<Expected>& answers) {

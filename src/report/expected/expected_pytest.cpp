@@ -104,13 +104,6 @@ std::vector<ToldMotion> told_motions(const ExpectedInSpace& answer) {
   return result;
 }
 
-const MechanismScene& scene_of(const ExpectedAnswer& answer) {
-  return answer.solved.scene;
-}
-const MechanismScene& scene_of(const ExpectedInSpace& answer) {
-  return answer.solved.scene;
-}
-
 /// The nearest binary64 to a value; an end that is absent is infinite with this sign.
 double binary64(const std::optional<Rational>& value, int sign) {
   return value ? nearest_binary64(*value) + 0.0 : sign * std::numeric_limits<double>::infinity();
@@ -155,7 +148,7 @@ double size_of(const Json& bodies, const std::vector<ToldMotion>& motions, std::
 
 template <class Answer>
 Json test_json(const Answer& answer) {
-  const MechanismScene& scene = scene_of(answer);
+  const MechanismScene& scene = answer.solved.scene;
   const Mechanism& m = scene.mechanism;
   const auto told = told_motions(answer);
   Json motions = Json::object();

@@ -13,6 +13,7 @@ HERE = Path(__file__).resolve().parent
 SLIPPROOF, CASES = sys.argv[1], Path(sys.argv[2]).resolve()
 sys.path.insert(0, str(CASES))
 from asking.scenes import scenes_of  # noqa: E402
+from asking.space import WorldInSpace, principal  # noqa: E402
 from asking.threshold import Bisection, quantity  # noqa: E402
 from asking.world import Refused, step_of, world  # noqa: E402
 
@@ -59,6 +60,8 @@ class Asking(unittest.TestCase):
         self.assertIn("ended with 1: assertion: no scene at all", lines["crashes"][0]["failed"])
         self.assertEqual(lines["hangs"][0]["failed"], "no answer in 1 s")
         self.assertIn("motion", lines["sweeps"][0])
+        _, lines = ask("sweeps", only="space-cone/ball-pushed-at-31")
+        self.assertEqual(lines["sweeps"][0]["refused"], "a scene in space")
         self.assertEqual(ask("nobody")[0].returncode, 2)
         self.assertEqual(ask("sweeps", only="no such scene")[0].returncode, 3)
 
@@ -70,6 +73,11 @@ class Asking(unittest.TestCase):
         exact = self.expected(scene)["motions"][0]
         for name, value in lines["ode"][0]["motion"].items():
             self.assertAlmostEqual(value, exact["accelerations"][name]["double"], 5, name)
+        in_space = "space-cone/ball-pushed-at-31"
+        _, lines = ask("ode", table=CASES / "engines.toml", only=in_space)
+        exact = self.expected(in_space)["motions"][0]
+        for name, value in lines["ode"][0]["motion"].items():
+            self.assertAlmostEqual(value, exact["accelerations"][name]["double"], 4, name)
 
 
 class Scenes(unittest.TestCase):
@@ -86,6 +94,35 @@ class Scenes(unittest.TestCase):
             for i, contact in enumerate(built["contacts"]):
                 for kind, word in (("gap", "gap"), (1, "slip")):
                     self.assertAlmostEqual(quantity(built, values, i, kind), values[f"{word}_{contact['name']}"], 9)
+
+    def test_in_space_exact_motions_have_no_gap_and_slip_where_they_stick(self):
+        """Also of bodies that are turned, on balls, and with moments about axes of their own."""
+        for name in ("space-stand/cards-1-2-0-1-2", "space-stand/two-cubes-0-4-3-4", "space-rolling/groove-0-2-1-2",
+                     "space-rolling/three-wheels-3-4-0-up-50-0-5", "space-grip/plate-in-fingers-0-17-10"):
+            scene = self.scenes[name]
+            built = WorldInSpace(scene.bodies()).built()
+            motion = scene.expected["motions"][0]
+            values = {key: value.get("double", 0) for key, value in motion["accelerations"].items()}
+            for i, state in enumerate(motion["modes"][0].split("/")):
+                if state != "lift":
+                    self.assertAlmostEqual(quantity(built, values, i, "gap"), 0, 6, (name, i))
+                if state == "stick":
+                    self.assertAlmostEqual(quantity(built, values, i, "slip"), 0, 6, (name, i))
+
+    def test_principal_axes_turn_moments_into_the_inertia(self):
+        moments, axes = principal([3, 2, 1, 0.5, -0.25, 0.125])
+        again = [[sum(axes[i][k] * moments[k] * axes[j][k] for k in range(3)) for j in range(3)] for i in range(3)]
+        for row, given in zip(again, ([3, 0.5, -0.25], [0.5, 2, 0.125], [-0.25, 0.125, 1])):
+            for value, expected in zip(row, given):
+                self.assertAlmostEqual(value, expected, 12)
+
+    def test_in_space_what_no_first_step_can_say_is_refused(self):
+        scene = self.scenes["space-rolling/tripod-spins-10-1-0"].bodies()
+        WorldInSpace(scene).built()
+        tilted = scene["bodies"][0] | {"spin": [1, 0, 10]}
+        for change in ({"bodies": [tilted]}, {"friction": [{}]}):
+            with self.assertRaises(Refused):
+                WorldInSpace(scene | change).built()
 
     def bisection(self, motion):
         """Of an engine in which a ball moves by this part of its natural acceleration, by how far mu is below the

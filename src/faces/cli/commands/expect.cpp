@@ -9,7 +9,6 @@
 
 #include "base/input/diagnostic.hpp"
 #include "base/output/output_file.hpp"
-#include "contact/space/solve_space.hpp"
 #include "faces/cli/command.hpp"
 #include "mechanics/scene/scene.hpp"
 #include "report/expected/expected.hpp"
@@ -25,12 +24,6 @@ struct ExpectArguments {
 
 std::string text_of(const std::string& format, const std::vector<Expected>& answers) {
   return format == "pytest" ? expected_pytest(answers) : expected_json(answers);
-}
-
-Expected answer_of(MechanismScene scene, const std::string& id) {
-  if (scene.mechanism.dimension == 2) return expected_answer(std::move(scene), id);
-  refuse_threshold(scene, id);
-  return ExpectedInSpace{id, solve_space(std::move(scene))};
 }
 
 std::string id_of(const std::string& file) {
@@ -56,7 +49,7 @@ void expect(const ExpectArguments& arguments) {
   expect_ending("--output", arguments.output, {arguments.format == "pytest" ? ".py" : ".json"}, ", as --format says");
   std::vector<Expected> answers;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    answers.push_back(answer_of(std::move(scenes[i]), id_of(arguments.scenes[i])));
+    answers.push_back(expected_of(std::move(scenes[i]), id_of(arguments.scenes[i])));
   }
   const std::string text = text_of(arguments.format, answers);
   output ? output->write(text) : print(text);

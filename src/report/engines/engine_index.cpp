@@ -1,0 +1,165 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "report/engines/engine_sections.hpp"
+#include "report/html/sections.hpp"
+
+namespace slipproof {
+
+namespace engine_index {
+
+namespace {
+
+void add_counts(const Element& main, const EnginePageInput& input) {
+  const Element section = add_section(main, "table", "Right answers, by class of scenes");
+  section.add("p", "how")
+      .text(
+          "Of the scenes that the engine can have. A class opens its scenes, and a scene its picture, its exact "
+          "motions and what each engine says.");
+  ReportTable table{{"engine", "asked"}};
+  table.label = "Right answers by engine and class";
+  table.css_class = "solvers engines";
+  for (const std::string& name : input.classes) {
+    table.columns.emplace_back(ReportLine(link_to(class_title(name), name + ".html")), true);
+  }
+  table.columns.emplace_back("all", true);
+  table.columns.emplace_back("share");
+  for (const EngineRow& row : input.rows) {
+    std::vector<ReportCell> cells{row.engine + " " + row.version, row.asked};
+    for (const std::string& name : input.classes) {
+      const auto found = row.classes.find(name);
+      cells.emplace_back(found == row.classes.end() ? "–" : share_text(found->second));
+    }
+    cells.push_back(input.with_design(row.engine, share_text(row.all)));
+    cells.push_back(bar_cell(row.all));
+    table.row(std::move(cells));
+  }
+  add_table(section, table);
+}
+
+/// How far off the thresholds of each engine are.
+void add_thresholds(const Element& main, const EnginePageInput& input) {
+  std::map<std::pair<std::string, std::string>, std::vector<double>> off;
+  std::string page;
+  for (const EngineThresholdRow& row : input.thresholds) {
+    if (page.empty()) page = row.scene.substr(0, row.scene.find('/')) + ".html";
+    auto& engine = off[{row.engine, row.asked}];
+    if (row.exact) engine.push_back(row.off());
+  }
+  if (off.empty()) return;
+  const Element section = add_section(main, "changes", "Where engines change their minds");
+  add_line(section.add("p", "how"),
+           {"A parameter is varied until a body begins to move in the engine; how far is that from the exact value? "
+            "An engine that creeps at rest by more than a hundredth of the scene's natural acceleration has none. ",
+            link_to("Scene by scene", page + "#changes"), "."});
+  ReportTable table{{"engine", "asked", {"thresholds", true}, {"to 1e-6", true}, {"to 1e-3", true}, {"median", true}}};
+  table.label = "Thresholds by engine";
+  for (auto& [who, of_engine] : off) {
+    std::vector<double>& errors = of_engine;
+    std::ranges::sort(errors);
+    const auto within = [&](double bound) {
+      return std::to_string(std::ranges::count_if(errors, [&](double error) { return error <= bound; }));
+    };
+    table.row({who.first, who.second, input.with_design(who.first, std::to_string(errors.size())), within(1e-6),
+               within(1e-3), errors.empty() ? "–" : error_text(errors[errors.size() / 2])});
+  }
+  add_table(section, table);
+}
+
+/// How far bodies move that should rest: the median over the scenes, and the largest.
+void add_drift(const Element& main, const EnginePageInput& input) {
+  std::map<std::string, std::map<int, std::vector<double>>> drifts;
+  for (const EngineScene& scene : input.judged().scenes) {
+    for (const JudgedEngineAnswer& one : scene.answers) {
+      for (const auto& [steps, moved] : one.answer.drift) drifts[one.answer.engine][std::stoi(steps)].push_back(moved);
+    }
+  }
+  if (drifts.empty()) return;
+  const Element section = add_section(main, "drift", "What creeps that should rest");
+  section.add("p", "how")
+      .text(
+          "Scenes in space whose one motion is rest, at default settings: how far a body is after so many steps from "
+          "where it began, over the size of the scene; the median over the scenes, and the largest.");
+  ReportTable table{{"engine", {"scenes", true}}};
+  table.label = "Drift by engine";
+  table.css_class = "engines";
+  for (const char* steps : {"1 step", "10 steps", "100 steps"}) table.columns.emplace_back(steps, true);
+  for (auto& [engine, by_steps] : drifts) {
+    std::vector<ReportCell> cells{engine, input.with_design(engine, std::to_string(by_steps.begin()->second.size()))};
+    for (auto& [steps, moved] : by_steps) {
+      std::ranges::sort(moved);
+      cells.emplace_back(error_text(moved[moved.size() / 2]) + "; " + error_text(moved.back()));
+    }
+    table.row(std::move(cells));
+  }
+  add_table(section, table);
+}
+
+void add_laws(const Element& main, const EnginePageInput& input) {
+  const Element section = add_section(main, "laws", "What each engine solves");
+  section.add("p", "how")
+      .text(
+          "In the words of its adapter; an engine that softens contacts solves another law, and is asked about that "
+          "one here.");
+  ReportTable table{{"engine", "law", "asked on", "differs on purpose"}};
+  table.label = "Laws of engines";
+  std::string last;
+  for (const EngineRow& row : input.rows) {
+    if (row.engine != last) {
+      table.row({row.engine + " " + row.version, row.law, row.date, row.design});
+    }
+    last = row.engine;
+  }
+  add_table(section, table);
+}
+
+void add_reproduce(const Element& main, const EnginePageInput& input) {
+  const Element section = add_section(main, "reproduce", "Ask again");
+  section.add("pre")
+      .set("tabindex", 0)
+      .add("code")
+      .text(fmt::format("./run engines\nslipproof report {} --out REPORT", input.folder));
+}
+
+/// Every scene, to be searched.
+void add_scenes(const Element& main, const EnginePageInput& input) {
+  const Element section = add_section(main, "scenes", "Every scene");
+  add_search(section, "all-scenes", "Search scenes: words of their names, questions and threads");
+  const Element folded = section.add("details", "data").set("id", "all-scenes").set("open", "open");
+  folded.add("summary").text(fmt::format("{} scenes", input.judged().scenes.size()));
+  const Element list = folded.add("ul", "scene-list");
+  for (const EngineScene& scene : input.judged().scenes) {
+    const Element item = list.add("li", "item");
+    item.add("a").set("href", scene.name + ".html").text(scene.scene.name);
+    item.text(" " + scene.scene.question + " ");
+    item.add("small").text(class_title(scene.class_name()) +
+                           (scene.scene.asked.empty() ? "" : ", " + scene.scene.asked));
+  }
+}
+
+}  // namespace
+
+}  // namespace engine_index
+
+void add_engines_index(const Element& main, const EnginePageInput& input) {
+  const Element top =
+      add_title(main, fmt::format("{} scenes, {} engines", input.judged().scenes.size(), input.judged().engines.size()),
+                "What physics engines answer where the truth is known");
+  top.add("p", "lead")
+      .text(
+          "Each scene is at rest, or in a state of motion that it names, and is pushed. The first step of an engine "
+          "then says an acceleration of each body, and slipproof knows all motions that the scene has, in exact "
+          "numbers. Right is an answer within a thousandth of the largest acceleration from one of them, near one "
+          "within a hundredth; wrong is everything else. Where a scene has no motion, every answer is wrong.");
+  add_key(top);
+  engine_index::add_counts(main, input);
+  engine_index::add_thresholds(main, input);
+  engine_index::add_drift(main, input);
+  engine_index::add_laws(main, input);
+  engine_index::add_scenes(main, input);
+  engine_index::add_reproduce(main, input);
+}
+
+}  // namespace slipproof
