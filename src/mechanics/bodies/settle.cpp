@@ -189,8 +189,8 @@ class Settlement {
     for (const auto& [value, point] : at_points(velocity.opening)) {
       if (value.is_zero() || (value > 0 && !contact.bilateral)) continue;
       const std::string what =
-          value < 0 ? "found it to approach the surface with the velocity X, expected it to rest or to open, or "
-                      "`slipproof impact`, which finds what follows"
+          value < 0 ? "found it to approach the surface with the velocity X (`slipproof impact` finds what follows), "
+                      "expected it to rest or to open"
                     : "found a guide that opens with the velocity X, expected 0";
       return refuse(velocity.place, name + what, velocity.opening, value, *point);
     }

@@ -70,7 +70,7 @@ class ImpactText : public ImpactReport {
   ImpactText(const SolvedImpact& solved, int digits) : ImpactReport(solved), digits_(digits) {}
 
   Document whole() {
-    document_ = scene_document(solved_.scene, m_.name + ", an impact by the law of " + std::string(name(impact_.law)));
+    document_ = scene_document(solved_.scene, m_.name + ", an impact by " + solved_.law_words());
     for (const std::string& friction : impact_.left_out) {
       document_.line("note: " + friction + " has a finite limit, and so no impulse");
     }
@@ -81,6 +81,11 @@ class ImpactText : public ImpactReport {
       heading += solved_.outcomes.empty() ? ", and that is proved" : ", and it is proved that there is no other";
     }
     Document& section = document_.section(heading);
+    if (m_.elements() > 1) {
+      std::string names;
+      for (std::size_t i = 0; i < m_.elements(); ++i) names += (names.empty() ? "" : "/") + element_name(m_, i);
+      section.line("modes are those of " + names);
+    }
     for (const ImpactOutcome& outcome : solved_.outcomes) write(section, outcome);
     if (!solved_.undecided.empty()) {
       Document& open = document_.section("Patterns in which other outcomes may be");

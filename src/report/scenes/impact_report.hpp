@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "contact/impact/solve_impact.hpp"
+#include "contact/impact/solved_impact.hpp"
 #include "report/document/document.hpp"
 
 namespace slipproof {

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "mechanics/elements/force_interval.hpp"
-#include "mechanics/kernel/polyhedron.hpp"
+#include "mechanics/kernel/motion.hpp"
 
 namespace slipproof {
 

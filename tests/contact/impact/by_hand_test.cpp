@@ -128,7 +128,7 @@ through = ["2", "0"]
 )");
   CHECK(after(bar, "omega") == Rational(1, 2));  // 4 (w + 1) = 2 N about the hinge
   CHECK(impulse(bar, "N_end") == 3);
-  CHECK(impulse(bar, "R_hinge_y") == Rational(3, 2));  // 3 (1/2 + 1) = N + hinge
+  CHECK(impulse(bar, "R_hinge_y") == Rational(-3, 2));  // of the ground, as 3 (1/2 + 1) = N + 3/2
   CHECK(bar.scene.mechanism.impact->left_out == std::vector<std::string>{"brake"});
 }
 
