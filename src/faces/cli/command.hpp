@@ -94,6 +94,7 @@ std::filesystem::path claims_path(const std::string& argument);
 void add_exchange(CLI::App& app, int& exit_code);  ///< import and export
 void add_solve(CLI::App& app, int& exit_code);
 void add_rest(CLI::App& app, int& exit_code);
+void add_impact(CLI::App& app, int& exit_code);
 void add_show(CLI::App& app, int& exit_code);
 void add_expect(CLI::App& app, int& exit_code);
 void add_critical(CLI::App& app, int& exit_code);

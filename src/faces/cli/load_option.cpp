@@ -4,6 +4,7 @@
 
 #include "base/number/parse.hpp"
 #include "faces/cli/command.hpp"
+#include "report/picture/space/space_view.hpp"
 
 namespace slipproof::cli {
 
@@ -34,6 +35,23 @@ std::array<std::optional<Rational>, 2> range_of(const std::vector<std::string>& 
 
 void add_load_option(CLI::App& command, std::string& load) {
   command.add_option("--load", load, "The value of the load, in place of the scene's, such as 7/4");
+}
+
+void add_view_option(CLI::App& command, std::string& from) {
+  const auto check = [](const std::string& text) {
+    try {
+      view_direction(text);
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  command
+      .add_option("--from", from,
+                  "Where to look at a scene in space from: a direction in its axes, such as 1,-2,1, or azimuth and "
+                  "elevation in degrees, such as -60,20; default: " +
+                      std::string(usual_view))
+      ->check(CLI::Validator(check, "X,Y,Z|DEGREES,DEGREES"));
 }
 
 void add_place_effort_option(CLI::App& command, std::uint64_t& effort) {

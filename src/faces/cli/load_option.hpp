@@ -1,4 +1,4 @@
-// Options that are numbers: --load of commands that answer at one load of a scene, ranges, limits.
+// Options that are numbers or views: --load of commands that answer at one load of a scene, ranges, limits, --from.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -23,6 +23,8 @@ std::array<std::optional<Rational>, 2> range_of(const std::vector<std::string>& 
 
 /// `load` stays empty without the option.
 void add_load_option(CLI::App& command, std::string& load);
+/// --from: where to look at a scene in space from; stays empty without the option.
+void add_view_option(CLI::App& command, std::string& from);
 /// In space, of each place of a map or along a parameter.
 void add_place_effort_option(CLI::App& command, std::uint64_t& effort);
 

@@ -83,6 +83,7 @@ int run_command(int argc, char** argv) {
   int exit_code = success;
   add_solve(app, exit_code);
   add_rest(app, exit_code);
+  add_impact(app, exit_code);
   add_show(app, exit_code);
   add_expect(app, exit_code);
   add_exchange(app, exit_code);

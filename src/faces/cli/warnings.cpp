@@ -46,4 +46,11 @@ void print_warnings(const ClaimsFile& claims, const CommonOptions& common) {
   }
 }
 
+void refuse_impact(const MechanismScene& scene, const std::string& command) {
+  if (!scene.mechanism.impact) return;
+  throw InputError({{scene.mechanism.file, 0, 0,
+                     "found an impact, by [impact], expected a mechanism without it for `" + command +
+                         "`: after an impact there are velocities, and no accelerations"}});
+}
+
 }  // namespace slipproof::cli

@@ -100,9 +100,11 @@ struct BodyContact {
   PlacedVector
       slip_direction;    ///< where the slip counts positive: along the line; the normal turned clockwise if left out
   PlacedVector tangent;  ///< in space: the direction of the first slip, in the axes of `on`
-  PlacedExpression rolling_resistance;  ///< a length
-  std::optional<std::size_t> rolling;   ///< its friction element
-  std::string rolling_force;            ///< the name in the file; empty: the default
+  PlacedExpression rolling_resistance;      ///< a length
+  PlacedExpression restitution;             ///< of impacts, 0 to 1; null: not given
+  PlacedExpression tangential_restitution;  ///< null: 0
+  std::optional<std::size_t> rolling;       ///< its friction element
+  std::string rolling_force;                ///< the name in the file; empty: the default
   bool state_given = false, well_named = false;
   Place place;
 };
@@ -247,6 +249,8 @@ void visit_expressions(Scene& scene, Visit&& visit) {
     all(contact.slip_direction, "slip_direction", false);
     all(contact.tangent, "tangent", false);
     visit(contact.rolling_resistance, "rolling_resistance", false);
+    visit(contact.restitution, "restitution", false);
+    visit(contact.tangential_restitution, "tangential_restitution", false);
   }
   for (auto* joints : {&scene.joints, &scene.guides}) {
     for (auto& joint : *joints) {

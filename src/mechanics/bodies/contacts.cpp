@@ -162,6 +162,19 @@ void add_rolling(Derivation& d, const BodyContact& contact, const MechanismConta
       {d.mechanism.contacts.size() + *contact.rolling, nullptr, nullptr, minus(of.spin.z, on.spin.z), false, place});
 }
 
+void check_restitution(Derivation& d, const BodyContact& contact, const PlacedExpression& given,
+                       const std::string& key) {
+  if (!given) return;
+  const Expression e = unplaced(given);
+  const std::string& name = contact_name(d, contact);
+  const auto hold = [&](const Expression& value, const std::string& found) {
+    d.must_be(GeometryFact::Kind::not_negative, value, name + "-restitution",
+              "contact " + name + ": " + key + ": found " + found + ", expected 0 to 1", given.place(), true);
+  };
+  hold(e, "X");
+  hold(minus(make_number(1), e), "1 and more: 1 less it is X");
+}
+
 /// Of the sliding velocity in space, along the two directions: a number where its length is one.
 void add_sliding(Derivation& d, const std::vector<Tangent>& tangents, ElementVelocity& velocity) {
   velocity.sliding = tangents[0].velocity;
@@ -191,6 +204,8 @@ void derive_contact(Derivation& d, const BodyContact& contact) {
     result.second->direction = d.derived(touch.tangents[1].along, contact.place);
   }
   d.geometry.velocities.push_back(std::move(velocity));
+  check_restitution(d, contact, contact.restitution, "restitution");
+  check_restitution(d, contact, contact.tangential_restitution, "tangential_restitution");
   if (contact.rolling) add_rolling(d, contact, result);
 }
 

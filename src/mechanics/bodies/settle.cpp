@@ -54,6 +54,33 @@ class Settlement {
     settle_sliding(velocity, contact.name, contact.start);
   }
 
+  /// Nothing of a friction element.
+  std::optional<int> settle_before_impact(const ElementVelocity& velocity, bool by_sign) {
+    if (velocity.element >= mechanism_.contacts.size()) return std::nullopt;
+    const MechanismContact& contact = mechanism_.contacts[velocity.element];
+    if (velocity.state_given && contact.start == Start::open) {
+      hold_open(velocity, contact.name);
+      return std::nullopt;
+    }
+    hold_touching(velocity, contact.name);
+    if (contact.bilateral) {
+      hold({GeometryFact::Kind::zero, velocity.opening, contact.name + "-stays-closed",
+            "contact " + contact.name + ": found a guide that opens with the velocity X, expected 0", velocity.place});
+      return 0;
+    }
+    const auto sign = sign_at_points(velocity.opening);
+    if (!by_sign || !sign || bodies_in_motion::vanishes_identically(original_, velocity.opening)) return sign;
+    assume(contact.name + (*sign < 0   ? "-approaches"
+                           : *sign > 0 ? "-opens"
+                                       : "-stays-closed"),
+           velocity.opening,
+           *sign < 0   ? Relation::less
+           : *sign > 0 ? Relation::greater
+                       : Relation::equal,
+           velocity.place);
+    return sign;
+  }
+
  private:
   static Relation relation_of(GeometryFact::Kind kind) {
     switch (kind) {
@@ -135,12 +162,15 @@ class Settlement {
           "contact " + name + ": found it X from closed, inside the surface, expected it apart", velocity.place});
   }
 
+  void hold_touching(const ElementVelocity& velocity, const std::string& name) {
+    if (!velocity.distance) return;
+    hold({GeometryFact::Kind::zero, velocity.distance, name + "-is-closed",
+          "contact " + name + ": found it X from closed, expected 0, or state = \"open\"", velocity.place});
+  }
+
   void hold_closed(const ElementVelocity& velocity, MechanismContact& contact) {
     const std::string name = "contact " + contact.name + ": ";
-    if (velocity.distance) {
-      hold({GeometryFact::Kind::zero, velocity.distance, contact.name + "-is-closed",
-            name + "found it X from closed, expected 0, or state = \"open\"", velocity.place});
-    }
+    hold_touching(velocity, contact.name);
     const auto opening = sign_at_points(velocity.opening);
     if (opening == 0) {
       if (!bodies_in_motion::vanishes_identically(original_, velocity.opening)) {
@@ -159,7 +189,8 @@ class Settlement {
     for (const auto& [value, point] : at_points(velocity.opening)) {
       if (value.is_zero() || (value > 0 && !contact.bilateral)) continue;
       const std::string what =
-          value < 0 ? "found it to approach the surface with the velocity X, expected it to rest or to open"
+          value < 0 ? "found it to approach the surface with the velocity X (`slipproof impact` finds what follows), "
+                      "expected it to rest or to open"
                     : "found a guide that opens with the velocity X, expected 0";
       return refuse(velocity.place, name + what, velocity.opening, value, *point);
     }
@@ -241,6 +272,18 @@ void settle_geometry(const BodyGeometry& geometry, Mechanism& mechanism, Mistake
   Settlement settlement(mechanism, mistakes);
   for (const GeometryFact& fact : geometry.facts) settlement.hold(fact);
   for (const ElementVelocity& velocity : geometry.velocities) settlement.settle(velocity);
+}
+
+std::vector<std::optional<int>> settle_before_impact(const BodyGeometry& geometry, Mechanism& mechanism,
+                                                     Mistakes& mistakes, bool by_sign) {
+  Settlement settlement(mechanism, mistakes);
+  for (const GeometryFact& fact : geometry.facts) settlement.hold(fact);
+  std::vector<std::optional<int>> signs(mechanism.contacts.size());
+  for (const ElementVelocity& velocity : geometry.velocities) {
+    const auto sign = settlement.settle_before_impact(velocity, by_sign);
+    if (velocity.element < signs.size()) signs[velocity.element] = sign;
+  }
+  return signs;
 }
 
 }  // namespace slipproof

@@ -1,6 +1,9 @@
 // Holds a scene of bodies to itself, and finds how its contacts and friction elements move before the motion.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "mechanics/bodies/derive.hpp"
 
 namespace slipproof {
@@ -10,5 +13,11 @@ namespace slipproof {
 /// motion follow from velocities in the same way: where the sign of one depends on parameters, it becomes an
 /// assumption, too. For a mechanism whose forms are derived.
 void settle_geometry(const BodyGeometry& geometry, Mechanism& mechanism, Mistakes& mistakes);
+
+/// The same before an impact, where closed contacts may approach and open, and no state follows from velocities. Of
+/// each contact: -1, 0 or +1 as it approaches, rests or opens at all points; nothing where that depends on the point.
+/// With `by_sign` what is found becomes an assumption.
+std::vector<std::optional<int>> settle_before_impact(const BodyGeometry& geometry, Mechanism& mechanism,
+                                                     Mistakes& mistakes, bool by_sign);
 
 }  // namespace slipproof

@@ -125,8 +125,11 @@ class MechanismText {
   void unknowns() {
     std::vector<std::string> accelerations = acceleration_names(m_);
     accelerations.resize(m_.accelerations);
-    std::vector<std::vector<std::string>> rows{{"accelerations", listed(accelerations)}};
-    if (m_.unknowns.size() > m_.accelerations) rows.push_back({"forces", listed(force_names(m_))});
+    std::vector<std::vector<std::string>> rows{
+        {m_.impact ? "velocities after" : "accelerations", listed(accelerations)}};
+    if (m_.unknowns.size() > m_.accelerations) {
+      rows.push_back({m_.impact ? "impulses" : "forces", listed(force_names(m_))});
+    }
     section("Unknowns", rows);
   }
 

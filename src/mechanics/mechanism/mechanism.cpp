@@ -16,6 +16,22 @@ std::string_view name(MechanismShape::Kind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
+namespace {
+
+constexpr std::array<std::string_view, 3> impact_laws{"newton", "moreau", "poisson"};
+
+}  // namespace
+
+std::string_view name(ImpactLaw law) {
+  return impact_laws[static_cast<std::size_t>(law)];
+}
+
+std::optional<ImpactLaw> parse_impact_law(std::string_view text) {
+  const auto found = std::find(impact_laws.begin(), impact_laws.end(), text);
+  if (found == impact_laws.end()) return std::nullopt;
+  return static_cast<ImpactLaw>(found - impact_laws.begin());
+}
+
 Expression MechanismEquation::whole_right() const {
   return contact_forces ? appended(right.expression, contact_forces) : right.expression;
 }

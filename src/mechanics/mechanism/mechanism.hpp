@@ -165,6 +165,27 @@ std::string_view name(MechanismShape::Kind kind);
 
 struct Bodies;
 
+/// How velocities after an impact follow from those before.
+enum class ImpactLaw : std::uint8_t { newton, moreau, poisson };
+std::string_view name(ImpactLaw law);
+std::optional<ImpactLaw> parse_impact_law(std::string_view text);  ///< nothing unless as written by name()
+
+/// What an impact's mechanism says of the instant before. Expressions over parameters, definitions and angle symbols.
+struct MechanismImpact {
+  struct Contact {
+    std::string name, gap, slip, second_slip;  ///< as quantities of a motion are called; empty: it has none
+    Expression opening;                        ///< velocity of the gap before; null where the contact is apart
+    Expression sliding, second;                ///< null: frictionless; not in space
+    /// The gap is the velocity of opening after, and this; slips are those of sliding after, and these.
+    Expression restored, slip_restored, second_restored;
+  };
+  ImpactLaw law = ImpactLaw::moreau;
+  std::vector<Expression> velocities;  ///< of each unknown acceleration, before
+  std::vector<Contact> contacts;       ///< of each contact
+  std::vector<Expression> prescribed;  ///< velocities and spins of bodies that no impulse changes
+  std::vector<std::string> left_out;   ///< friction elements with limits of their own: finite couples have no impulse
+};
+
 struct Mechanism {
   std::string file, name, source, note;
   std::size_t dimension = 2;  ///< 2: in the plane; 3: in space, which has bodies
@@ -186,7 +207,9 @@ struct Mechanism {
   PlacedExpression energy;  ///< kinetic energy; names of accelerations mean the velocities. Null: not given
   std::vector<SymbolicForm> energy_slopes;  ///< its derivatives by each of them: rows of a symmetric matrix
   std::shared_ptr<const Bodies> bodies;     ///< the bodies from which the rest was derived; null without
-  bool shipped = false;                     ///< comes with slipproof and was found by name: tests have checked it
+  /// Of an impact: unknown accelerations are velocities after it, and forces are impulses.
+  std::optional<MechanismImpact> impact;
+  bool shipped = false;  ///< comes with slipproof and was found by name: tests have checked it
 
   /// Contacts and friction elements: what has a state in a mode.
   std::size_t elements() const { return contacts.size() + friction.size(); }
@@ -194,6 +217,16 @@ struct Mechanism {
 
 /// Which mechanisms are asked for.
 enum class Dimensions : std::uint8_t { plane, any };
+/// An impact as it is asked for: by this law; without one by that of the file, or by Moreau's.
+struct ImpactRequest {
+  std::optional<ImpactLaw> law;
+};
+/// A mechanism or scene as it is asked for: its impact, or what the file says.
+struct MechanismRequest {
+  MechanismRequest(Dimensions which, std::optional<ImpactRequest> as = {}) : dimensions(which), impact(as) {}
+  Dimensions dimensions;
+  std::optional<ImpactRequest> impact;
+};
 /// Throws InputError for a mechanism in space if only those in the plane are asked for: whatever knows the plane alone
 /// opens its mechanisms and scenes by functions that call this.
 void refuse_other(const Mechanism& mechanism, Dimensions dimensions);

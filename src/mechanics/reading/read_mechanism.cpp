@@ -8,6 +8,7 @@
 #include "base/input/near_match.hpp"
 #include "base/input/text_file.hpp"
 #include "mechanics/bodies/settle.hpp"
+#include "mechanics/impact/impact.hpp"
 #include "mechanics/mechanism/forms.hpp"
 #include "mechanics/reading/reader.hpp"
 #include "mechanics/states/places.hpp"
@@ -133,10 +134,11 @@ namespace {
 using mechanism_reader::Context;
 
 constexpr std::string_view schema = "slipproof/mechanism/1";
-constexpr std::array<std::string_view, 27> mechanism_keys{
-    "schema",      "dimension", "name",  "source",   "note",  "reciprocal", "parameters", "assume", "realisable",
-    "definitions", "angles",    "load",  "unknowns", "units", "motion",     "equations",  "energy", "contact",
-    "friction",    "link",      "shape", "gravity",  "body",  "joint",      "force",      "torque", "state"};
+constexpr std::array<std::string_view, 29> mechanism_keys{
+    "schema",     "dimension",   "name",     "source", "note",       "reciprocal", "parameters", "assume",
+    "realisable", "definitions", "angles",   "load",   "unknowns",   "units",      "motion",     "equations",
+    "energy",     "contact",     "friction", "link",   "shape",      "gravity",    "body",       "joint",
+    "force",      "torque",      "state",    "impact", "restitution"};
 
 /// 2 if it is left out; nothing, and a report, for what is none.
 std::optional<std::size_t> read_dimension(const TableReader& root) {
@@ -147,6 +149,28 @@ std::optional<std::size_t> read_dimension(const TableReader& root) {
   root.refuse("dimension", "found " + (found.empty() ? std::string(kind_name(value->kind)) : in_quotes(found)) +
                                ", expected 2 for a mechanism in the plane, or 3 for one in space");
   return std::nullopt;
+}
+
+/// [impact]; nothing without it.
+std::optional<ImpactLaw> read_impact(const TableReader& root, Context& context) {
+  const TomlValue* value = root.value("impact") == nullptr ? nullptr : root.table("impact");
+  if (value == nullptr) return std::nullopt;
+  static constexpr std::array<std::string_view, 1> keys{"law"};
+  const TableReader table(*value, "[impact]", keys, context.mistakes);
+  const std::string law = context.required(table, "law", "\"newton\", \"moreau\" or \"poisson\"");
+  const auto found = parse_impact_law(law);
+  if (!found && !law.empty()) {
+    table.refuse("law", "found " + in_quotes(law) + ", expected \"newton\", \"moreau\" or \"poisson\"");
+  }
+  return found;
+}
+
+/// Of the bodies that were read: the contacts' states, or the impact.
+void settle(const BodyGeometry& geometry, std::optional<ImpactLaw> law, Mechanism& mechanism, Mistakes& mistakes) {
+  if (!law) return settle_geometry(geometry, mechanism, mistakes);
+  const Approaches approaches = settle_before_impact(geometry, mechanism, mistakes, law == ImpactLaw::newton);
+  if (!mistakes.empty()) return;
+  mechanism = impact_of(mechanism, *mechanism.bodies, geometry, approaches, *law, mistakes);
 }
 
 void read_root(const TableReader& root, Context& context, std::optional<BodyGeometry>& geometry) {
@@ -182,7 +206,7 @@ void read_root(const TableReader& root, Context& context, std::optional<BodyGeom
   } else {
     if (mechanism.dimension == 3)
       root.require("body", "bodies, from which the equations of a mechanism in space follow");
-    for (const std::string_view key : {"gravity", "joint", "force", "torque", "state"}) {
+    for (const std::string_view key : {"gravity", "joint", "force", "torque", "state", "impact", "restitution"}) {
       if (root.has(key))
         root.refuse(key, "found without [[body]], expected bodies beside it, or [motion] in its place");
     }
@@ -195,30 +219,36 @@ void read_root(const TableReader& root, Context& context, std::optional<BodyGeom
 
 }  // namespace
 
-Mechanism parse_mechanism(const TomlValue& table, const std::string& file) {
+Mechanism parse_mechanism(const TomlValue& table, const std::string& file, std::optional<ImpactRequest> impact) {
   Mechanism mechanism;
   mechanism.file = file;
   Mistakes mistakes(file);
   Context context(mechanism, mistakes);
   std::optional<BodyGeometry> geometry;
-  read_root(TableReader(table, "", mechanism_keys, mistakes), context, geometry);
+  const TableReader root(table, "", mechanism_keys, mistakes);
+  std::optional<ImpactLaw> law = read_impact(root, context);
+  if (impact) law = impact->law ? impact->law : law.value_or(ImpactLaw::moreau);
+  read_root(root, context, geometry);
   derive_forms(mechanism, mistakes);
   load_bounds(mechanism, mistakes);
   if (mistakes.empty()) mechanism_reader::check_domain(context);
-  if (mistakes.empty() && geometry) settle_geometry(*geometry, mechanism, mistakes);
+  if (mistakes.empty() && law && !geometry) {
+    mistakes.add({}, "found a mechanism by its equations, expected bodies with velocities for an impact");
+  }
+  if (mistakes.empty() && geometry) settle(*geometry, law, mechanism, mistakes);
   mistakes.refuse_if_any();
   return mechanism;
 }
 
-Mechanism parse_mechanism(std::string_view text, const std::string& file) {
+Mechanism parse_mechanism(std::string_view text, const std::string& file, std::optional<ImpactRequest> impact) {
   Mistakes mistakes(file);
   const auto document = parse_toml(text, mistakes);
   mistakes.refuse_if_any();
-  return parse_mechanism(*document, file);
+  return parse_mechanism(*document, file, impact);
 }
 
-Mechanism read_mechanism(const std::filesystem::path& path) {
-  return parse_mechanism(read_text_file(path), path.string());
+Mechanism read_mechanism(const std::filesystem::path& path, std::optional<ImpactRequest> impact) {
+  return parse_mechanism(read_text_file(path), path.string(), impact);
 }
 
 }  // namespace slipproof

@@ -15,18 +15,18 @@ const ShippedMechanism* find_shipped(std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
-Mechanism read_shipped(const ShippedMechanism& shipped) {
-  Mechanism mechanism = parse_mechanism(shipped.text, std::string(shipped.name) + ".toml");
+Mechanism read_shipped(const ShippedMechanism& shipped, std::optional<ImpactRequest> impact) {
+  Mechanism mechanism = parse_mechanism(shipped.text, std::string(shipped.name) + ".toml", impact);
   mechanism.shipped = true;
   return mechanism;
 }
 
-Mechanism open_mechanism(const std::string& file_or_name, const std::string& directory, Dimensions dimensions) {
+Mechanism open_mechanism(const std::string& file_or_name, const std::string& directory, MechanismRequest request) {
   const std::filesystem::path path = std::filesystem::path(directory) / file_or_name;
   std::error_code error;
   const bool is_there = !file_or_name.empty() && std::filesystem::exists(path, error);
   if (const ShippedMechanism* shipped = find_shipped(file_or_name); shipped != nullptr && !is_there) {
-    return read_shipped(*shipped);
+    return read_shipped(*shipped, request.impact);
   }
   if (!is_there && path.extension() != ".toml") {
     std::vector<std::string_view> known;
@@ -35,8 +35,8 @@ Mechanism open_mechanism(const std::string& file_or_name, const std::string& dir
     mistakes.add({}, "no such file, and " + unknown_name("mechanism", file_or_name, known));
     mistakes.refuse_if_any();
   }
-  Mechanism mechanism = read_mechanism(path);
-  refuse_other(mechanism, dimensions);
+  Mechanism mechanism = read_mechanism(path, request.impact);
+  refuse_other(mechanism, request.dimensions);
   return mechanism;
 }
 

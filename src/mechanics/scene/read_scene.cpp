@@ -22,16 +22,18 @@ using Circle = MechanismValues::Circle;
 
 class MechanismSceneReader {
  public:
-  MechanismSceneReader(const TomlValue& root, const std::string& file, Mistakes& mistakes)
-      : root_(root, "", keys, mistakes), file_(file), mistakes_(mistakes) {}
+  MechanismSceneReader(const TomlValue& root, const std::string& file, std::optional<ImpactRequest> impact,
+                       Mistakes& mistakes)
+      : root_(root, "", keys, mistakes), file_(file), impact_(impact), mistakes_(mistakes) {}
 
   MechanismScene read() {
     scene_.name = std::filesystem::path(file_).stem().string();
     if (const PlacedText* name = root_.string("name")) scene_.name = name->text();
     const TomlValue* mechanism_value = root_.value("mechanism");
-    auto mechanism = mechanism_value != nullptr && mechanism_value->kind == TomlValue::Kind::table
-                         ? own_mechanism(*mechanism_value)
-                         : named_mechanism(root_, std::filesystem::path(file_).parent_path().string(), Dimensions::any);
+    auto mechanism =
+        mechanism_value != nullptr && mechanism_value->kind == TomlValue::Kind::table
+            ? own_mechanism(*mechanism_value)
+            : named_mechanism(root_, std::filesystem::path(file_).parent_path().string(), {Dimensions::any, impact_});
     if (!mechanism) return {};
     if (const PlacedText* question = root_.string("question")) scene_.question = question->text();
     if (const PlacedText* asked = root_.string("asked")) scene_.asked = asked->text();
@@ -75,7 +77,7 @@ class MechanismSceneReader {
   /// A mechanism that stands in the scene itself: the table [mechanism].
   std::optional<Mechanism> own_mechanism(const TomlValue& table) {
     try {
-      Mechanism mechanism = parse_mechanism(table, file_);
+      Mechanism mechanism = parse_mechanism(table, file_, impact_);
       const PlacedText* along = root_.string("along");
       return along == nullptr ? std::move(mechanism) : with_load(mechanism, along->text());
     } catch (const InputError& error) {
@@ -172,6 +174,7 @@ class MechanismSceneReader {
 
   TableReader root_;
   std::string file_;
+  std::optional<ImpactRequest> impact_;
   Mistakes& mistakes_;
   MechanismScene scene_;
   bool complete_ = true;  ///< every parameter and angle has a value
@@ -184,9 +187,10 @@ bool is_mechanism(const TomlValue& document) {
 }
 
 /// A mechanism all of which stands in numbers is a scene of its own.
-MechanismScene scene_in_numbers(std::string_view text, const std::string& file, Mistakes& mistakes) {
+MechanismScene scene_in_numbers(std::string_view text, const std::string& file, std::optional<ImpactRequest> impact,
+                                Mistakes& mistakes) {
   MechanismScene scene;
-  scene.mechanism = parse_mechanism(text, file);
+  scene.mechanism = parse_mechanism(text, file, impact);
   if (const Mechanism& m = scene.mechanism; !m.parameters.empty() || !m.angles.empty()) {
     mistakes.add({}, "found a mechanism with " + std::string(m.parameters.empty() ? "angles" : "parameters") +
                          ", expected a scene of it, with their values: mechanism = " +
@@ -205,14 +209,14 @@ bool names_mechanism(const TomlValue& document) {
 }  // namespace
 
 std::optional<Mechanism> named_mechanism(const TableReader& table, const std::string& directory,
-                                         Dimensions dimensions) {
+                                         MechanismRequest request) {
   if (!table.require("mechanism", "the file of a mechanism, or the name of a shipped one")) return std::nullopt;
   const PlacedText* file = table.string("mechanism");
   const PlacedText* along = table.string("along");
   if (file == nullptr) return std::nullopt;
   std::string_view key = "mechanism";
   try {
-    Mechanism mechanism = open_mechanism(file->text(), directory, dimensions);
+    Mechanism mechanism = open_mechanism(file->text(), directory, request);
     key = "along";
     return along == nullptr ? std::move(mechanism) : with_load(mechanism, along->text());
   } catch (const InputError& error) {
@@ -240,6 +244,7 @@ void read_states(const TomlValue& table, const Mechanism& mechanism, std::vector
       const auto i = static_cast<std::size_t>(found - names.begin());
       const auto start = mechanism_reader::read_start(entry.value.text.text(), entry.key, entry.value.place, kinds[i],
                                                       mechanism.dimension, mistakes);
+      if (start && mechanism.impact) continue;  // before it, which its velocities say
       if (start && mechanism.bodies && *start != starts[i]) {
         mistakes.add(entry.value.place, entry.key + ": found " + in_quotes(name(*start, mechanism.dimension)) +
                                             ", but the velocities of the bodies say " +
@@ -250,21 +255,24 @@ void read_states(const TomlValue& table, const Mechanism& mechanism, std::vector
   }
 }
 
-MechanismScene parse_scene(std::string_view text, const std::string& file, Dimensions dimensions) {
+MechanismScene parse_scene(std::string_view text, const std::string& file, MechanismRequest request) {
   Mistakes mistakes(file);
   MechanismScene scene;
   if (const auto document = parse_toml(text, mistakes)) {
-    scene = is_mechanism(*document)      ? scene_in_numbers(text, file, mistakes)
-            : names_mechanism(*document) ? MechanismSceneReader(*document, file, mistakes).read()
+    scene = is_mechanism(*document)      ? scene_in_numbers(text, file, request.impact, mistakes)
+            : names_mechanism(*document) ? MechanismSceneReader(*document, file, request.impact, mistakes).read()
                                          : read_bicycle_scene(*document, file, mistakes);
   }
   mistakes.refuse_if_any();
-  refuse_other(scene.mechanism, dimensions);
+  if (request.impact && !scene.mechanism.impact)
+    mistakes.add({}, "found a scene of the bicycle, expected bodies with velocities for an impact");
+  mistakes.refuse_if_any();
+  refuse_other(scene.mechanism, request.dimensions);
   return scene;
 }
 
-MechanismScene read_scene(const std::filesystem::path& path, Dimensions dimensions) {
-  return parse_scene(read_text_file(path), path.string(), dimensions);
+MechanismScene read_scene(const std::filesystem::path& path, MechanismRequest request) {
+  return parse_scene(read_text_file(path), path.string(), request);
 }
 
 bool is_mechanism_scene(std::string_view text) {

@@ -44,9 +44,10 @@ struct MechanismScene {
 /// (bicycle_scene.hpp), which has no key `mechanism`; or a mechanism without parameters, which is a scene of its own.
 /// Throws InputError with every mistake of the file, in the order of their places; mistakes of the mechanism's file
 /// among them.
-MechanismScene read_scene(const std::filesystem::path& path, Dimensions dimensions = Dimensions::plane);
+MechanismScene read_scene(const std::filesystem::path& path, MechanismRequest request = Dimensions::plane);
 /// Reads a scene from a text. `file` is its name in messages; relative paths of mechanisms start from its folder.
-MechanismScene parse_scene(std::string_view text, const std::string& file, Dimensions dimensions = Dimensions::plane);
+MechanismScene parse_scene(std::string_view text, const std::string& file,
+                           MechanismRequest request = Dimensions::plane);
 
 /// The scene with another parameter as its load, like `along` in a file; the previous load becomes a parameter. Throws
 /// InputError, with places in the mechanism's file, if the parameter cannot be the load, and std::invalid_argument if
@@ -71,7 +72,7 @@ std::string to_toml(const MechanismScene& scene, const std::string& mechanism, c
 /// The mechanism that a table names: its keys `mechanism` and, if it is there, `along`. A relative path counts from
 /// `directory`. Mistakes are reported at these keys, those of the mechanism's file among them.
 std::optional<Mechanism> named_mechanism(const TableReader& table, const std::string& directory,
-                                         Dimensions dimensions = Dimensions::plane);
+                                         MechanismRequest request = Dimensions::plane);
 /// A table [state]: replaces the states of the elements that it names. Mistakes are reported.
 void read_states(const TomlValue& table, const Mechanism& mechanism, std::vector<ElementKind::Start>& starts,
                  Mistakes& mistakes);

@@ -110,7 +110,7 @@ std::vector<Range> shown_numbers(const MechanismScene& scene, const MotionAtLoad
 std::string common_state(const MotionAtLoad& motion, std::size_t element) {
   const auto& modes = motion.strict() ? motion.modes : motion.boundary_modes;
   const auto same = [&](const MechanismMode& mode) { return mode[element] == modes.front()[element]; };
-  if (!std::all_of(modes.begin(), modes.end(), same)) return {};
+  if (modes.empty() || !std::all_of(modes.begin(), modes.end(), same)) return {};
   return std::string(name(modes.front()[element]));
 }
 

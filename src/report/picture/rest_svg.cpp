@@ -6,9 +6,9 @@
 
 #include "base/input/diagnostic.hpp"
 #include "base/number/binary64.hpp"
-#include "mechanics/bodies/bodies.hpp"
 #include "report/picture/mechanism_svg.hpp"
 #include "report/picture/space/space_svg.hpp"
+#include "report/picture/velocities/moving_scene.hpp"
 
 namespace slipproof {
 
@@ -35,7 +35,8 @@ class RestPicture {
     for (const Rational& force : forces_) motion.forces.push_back({force, force});
     CommonLook look;
     look.is_virtual = falls();
-    return mechanism_svg_file(falls() ? moving_scene() : answer_.scene, &motion, look, heading());
+    return mechanism_svg_file(falls() ? moving_scene(answer_.scene, problem_.rows, rates_) : answer_.scene, &motion,
+                              look, heading());
   }
 
   std::string in_space(const Vec3& from) const {
@@ -92,25 +93,6 @@ class RestPicture {
     }
     for (const MechanismFriction& friction : m_.friction) result.push_back(rate(friction.force));
     return result;
-  }
-
-  /// With the virtual motion as the velocities of its bodies.
-  MechanismScene moving_scene() const {
-    MechanismScene scene = answer_.scene;
-    if (!m_.bodies) return scene;
-    const auto bodies = std::make_shared<Bodies>(*m_.bodies);
-    for (Body& body : bodies->bodies) {
-      std::array<PlacedExpression*, 6> parts{&body.velocity.x, &body.velocity.y, &body.velocity.z,
-                                             &body.spin.x,     &body.spin.y,     &body.spin.z};
-      for (std::size_t k = 0; k < parts.size(); ++k) {
-        const auto row = std::ranges::find(problem_.rows, body.unknowns[k].symbol);
-        if (body.unknowns[k].symbol.empty() || row == problem_.rows.end()) continue;
-        const Rational rate = rates_[static_cast<std::size_t>(row - problem_.rows.begin())];
-        *parts[k] = {make_number(body.unknowns[k].negated ? -rate : rate), {}};
-      }
-    }
-    scene.mechanism.bodies = bodies;
-    return scene;
   }
 
   const RestAnswer& answer_;

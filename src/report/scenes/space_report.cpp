@@ -10,6 +10,7 @@
 #include "report/scenes/mechanism_report.hpp"
 #include "report/values/exact_json.hpp"
 #include "report/values/mode_json.hpp"
+#include "report/values/motions_json.hpp"
 #include "report/values/number_text.hpp"
 
 namespace slipproof {
@@ -51,14 +52,7 @@ class SpaceText {
     return std::ranges::any_of(solved_.motions, [](const SpaceMotion& m) { return m.others_within.has_value(); });
   }
 
-  /// What both ends say in these digits goes on with `...`: JSON has the ends.
-  std::string text_of(const Range& range) const {
-    if (!range.lower || !range.upper) return "unbounded";
-    if (range.is_point()) return number_text(*range.lower, digits_);
-    const std::string about = decimal_text(*range.lower, digits_);
-    if (about == decimal_text(*range.upper, digits_)) return about + "...";
-    return "in [" + decimal_text(*range.lower, digits_ + 6) + ", " + decimal_text(*range.upper, digits_ + 6) + "]";
-  }
+  std::string text_of(const Range& range) const { return range_text(range, digits_); }
 
   void write(Document& document, const SpaceMotion& motion) const {
     Document& below = document.section(mode_of(motion) + (motion.strict ? "  (strict)" : ""));
@@ -119,13 +113,9 @@ class SpaceText {
   Document document_;
 };
 
-Json range_of(const Range& range) {
-  return Json::array({to_json(range.lower), to_json(range.upper)});
-}
-
 Json named(const std::vector<std::string>& names, const std::vector<Range>& ranges) {
   Json result = Json::object();
-  for (std::size_t i = 0; i < names.size(); ++i) result[names[i]] = range_of(ranges[i]);
+  for (std::size_t i = 0; i < names.size(); ++i) result[names[i]] = ends_json(ranges[i]);
   return result;
 }
 
@@ -133,11 +123,11 @@ Json named(const std::vector<std::string>& names, const std::vector<Range>& rang
 Json numbers_json(const Mechanism& m, const SpaceMotion& motion) {
   Json slips = Json::object(), forces = Json::object();
   for (std::size_t i = 0; i < m.contacts.size(); ++i) {
-    if (motion.slips[i]) slips[m.contacts[i].name] = range_of(*motion.slips[i]);
+    if (motion.slips[i]) slips[m.contacts[i].name] = ends_json(*motion.slips[i]);
   }
   const std::vector<std::string> force = force_names(m);
   for (std::size_t i = 0; i < force.size(); ++i) {
-    forces[force[i]] = motion.forces[i] ? range_of(*motion.forces[i]) : Json(nullptr);
+    forces[force[i]] = motion.forces[i] ? ends_json(*motion.forces[i]) : Json(nullptr);
   }
   return {{"modes", Json::array({mode_of(motion)})},
           {"slips", std::move(slips)},

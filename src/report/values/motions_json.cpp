@@ -7,11 +7,11 @@
 
 namespace slipproof {
 
-namespace {
-
-Json range_json(const Range& range) {
+Json ends_json(const Range& range) {
   return Json::array({to_json(range.lower), to_json(range.upper)});
 }
+
+namespace {
 
 class MotionsDocument {
  public:
@@ -39,7 +39,7 @@ class MotionsDocument {
       if (motion.forces[i].is_point()) {
         forces[forces_[i]] = to_json(*motion.forces[i].lower);
       } else {
-        undetermined[forces_[i]] = range_json(motion.forces[i]);
+        undetermined[forces_[i]] = ends_json(motion.forces[i]);
       }
     }
     return {{"modes", names_json(motion.modes)},
@@ -54,9 +54,9 @@ class MotionsDocument {
   Json continuum_json(const MotionsAtLoad& found, const ContinuumAtLoad& continuum) const {
     Json ranges = Json::object();
     for (std::size_t i = 0; i < accelerations_.size(); ++i) {
-      ranges[accelerations_[i]] = range_json(continuum.accelerations[i]);
+      ranges[accelerations_[i]] = ends_json(continuum.accelerations[i]);
     }
-    for (std::size_t i = 0; i < forces_.size(); ++i) ranges[forces_[i]] = range_json(continuum.forces[i]);
+    for (std::size_t i = 0; i < forces_.size(); ++i) ranges[forces_[i]] = ends_json(continuum.forces[i]);
     return {{"mode", name(continuum.mode)},
             {"status", continuum.strict ? "strict" : "boundary"},
             {"ranges", std::move(ranges)},

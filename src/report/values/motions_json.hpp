@@ -11,6 +11,8 @@ namespace slipproof {
 Json cell_json(const LoadCell& cell);
 /// The same with the motions' accelerations and forces as functions of the load; an undetermined force is null.
 Json cell_json(const LoadCell& cell, const Mechanism& mechanism);
+/// [lower, upper]; null for an end that is not there.
+Json ends_json(const Range& range);
 /// A number as a function of the load.
 Json over_load_json(const Affine<Rational>& value);
 

@@ -29,6 +29,14 @@ std::string interval_text(std::string_view symbol, const ForceInterval& i, int d
                      end(i.upper(), "+oo", digits), i.upper_closed() ? ']' : ')');
 }
 
+std::string range_text(const Range& range, int digits) {
+  if (!range.lower || !range.upper) return "unbounded";
+  if (range.is_point()) return number_text(*range.lower, digits);
+  const std::string about = decimal_text(*range.lower, digits);
+  if (about == decimal_text(*range.upper, digits)) return about + "...";
+  return "in [" + decimal_text(*range.lower, digits + 6) + ", " + decimal_text(*range.upper, digits + 6) + "]";
+}
+
 std::string short_text(const Rational& x, int digits) {
   const std::string exact = exact_text(x);
   return exact.size() <= 8 ? exact : decimal_text(x, digits);

@@ -110,20 +110,6 @@ std::string figure_of(MechanismScene scene, const DrawArguments& arguments) {
   return mechanism_svg_file(scene, nullptr);
 }
 
-/// What view_direction() reads.
-CLI::Validator view_choice() {
-  return CLI::Validator(
-      [](std::string& text) {
-        try {
-          view_direction(text);
-        } catch (const std::invalid_argument& error) {
-          return std::string(error.what());
-        }
-        return std::string();
-      },
-      "X,Y,Z|DEGREES,DEGREES");
-}
-
 /// `all`, `rest`, or a number from 1.
 CLI::Validator motion_choice() {
   return CLI::Validator(
@@ -149,12 +135,7 @@ void add_draw(CLI::App& app, int& exit_code) {
                   "directions")
       ->check(motion_choice());
   add_load_option(command, options->load);
-  command
-      .add_option("--from", options->from,
-                  "Where to look at a scene in space from: a direction in its axes, such as 1,-2,1, or azimuth and "
-                  "elevation in degrees, such as -60,20; default: " +
-                      std::string(usual_view))
-      ->check(view_choice());
+  add_view_option(command, options->from);
   command.add_option("-o,--out", options->out, "The file to write, .svg or .png; default: standard output");
   add_common_options(command, options->common);
   command.callback([options, &exit_code] {

@@ -10,6 +10,7 @@
 #include "base/input/diagnostic.hpp"
 #include "base/output/output_file.hpp"
 #include "faces/cli/command.hpp"
+#include "faces/cli/warnings.hpp"
 #include "mechanics/scene/scene.hpp"
 #include "report/expected/expected.hpp"
 
@@ -41,6 +42,7 @@ void expect(const ExpectArguments& arguments) {
   std::vector<MechanismScene> scenes;
   for (const std::string& file : arguments.scenes) {
     scenes.push_back(read_scene(file, Dimensions::any));
+    refuse_impact(scenes.back(), "expect");
     inputs.add(file);
     inputs.add(scenes.back().mechanism.file);
   }

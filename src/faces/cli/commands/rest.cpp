@@ -74,6 +74,7 @@ RestMapQuestion map_question(const RestArguments& arguments) {
 
 int answer(const RestArguments& arguments, bool tilts) {
   MechanismScene scene = at_load(read_scene(arguments.scene, Dimensions::any), arguments.load);
+  refuse_impact(scene, "rest");
   RestQuestions questions;
   if (tilts) {
     if (arguments.tilt.empty() && scene.mechanism.dimension == 3) {

@@ -32,6 +32,7 @@ std::vector<Compliance> compliances(const SimulateArguments& arguments) {
 
 void run_simulate(const SimulateArguments& arguments) {
   const MechanismScene scene = at_load(read_scene(arguments.scene), arguments.load);
+  refuse_impact(scene, "simulate");
   print_warnings(scene.mechanism, arguments.common);
   try {
     const Simulation simulation = simulate(loaded_contacts(scene), compliances(arguments), arguments.common.threads);

@@ -13,6 +13,7 @@ class BodyContactReader : public BodyParts {
   using BodyParts::BodyParts;
 
   void read_contacts(const TableReader& root) {
+    default_restitution_ = one(root, "restitution");
     for (const TomlValue* contact : tables(root, "contact", max_scene_elements)) read_contact(*contact);
   }
   void read_frictions(const TableReader& root) {
@@ -27,14 +28,41 @@ class BodyContactReader : public BodyParts {
 
  private:
   void read_contact(const TomlValue& value) {
-    static constexpr std::array<std::string_view, 16> in_plane{
-        "name",      "of",         "point",    "radius",         "on",
-        "normal",    "through",    "friction", "on_point",       "on_radius",
-        "bilateral", "lift_needs", "state",    "slip_direction", "rolling_resistance",
-        "names"};
-    static constexpr std::array<std::string_view, 15> spatial{
-        "name",     "of",        "point",     "radius",     "on",    "normal",  "through", "friction",
-        "on_point", "on_radius", "bilateral", "lift_needs", "state", "tangent", "names"};
+    static constexpr std::array<std::string_view, 18> in_plane{"name",
+                                                               "of",
+                                                               "point",
+                                                               "radius",
+                                                               "on",
+                                                               "normal",
+                                                               "through",
+                                                               "friction",
+                                                               "on_point",
+                                                               "on_radius",
+                                                               "bilateral",
+                                                               "lift_needs",
+                                                               "state",
+                                                               "slip_direction",
+                                                               "rolling_resistance",
+                                                               "names",
+                                                               "restitution",
+                                                               "tangential_restitution"};
+    static constexpr std::array<std::string_view, 17> spatial{"name",
+                                                              "of",
+                                                              "point",
+                                                              "radius",
+                                                              "on",
+                                                              "normal",
+                                                              "through",
+                                                              "friction",
+                                                              "on_point",
+                                                              "on_radius",
+                                                              "bilateral",
+                                                              "lift_needs",
+                                                              "state",
+                                                              "tangent",
+                                                              "names",
+                                                              "restitution",
+                                                              "tangential_restitution"};
     static constexpr std::array<std::string_view, 5> names_in_plane{"N", "S", "gap", "slip", "rolling"};
     static constexpr std::array<std::string_view, 6> names_in_space{"N", "T1", "T2", "gap", "slip", "slip2"};
     const std::span<const std::string_view> keys =
@@ -83,6 +111,7 @@ class BodyContactReader : public BodyParts {
     touch.through = vector(table, "through");
     touch.on_point = vector(table, "on_point");
     touch.on_radius = one(table, "on_radius");
+    read_restitution(table, touch);
     if (in_space()) {
       touch.tangent = vector(table, "tangent");
     } else {
@@ -106,6 +135,19 @@ class BodyContactReader : public BodyParts {
     if (context_.sound && !turns({touch.of, touch.on})) {
       table.refuse("rolling_resistance",
                    "found it between bodies whose turning is prescribed" + std::string(expected_turning));
+    }
+  }
+
+  void read_restitution(const TableReader& table, BodyContact& touch) {
+    touch.restitution = one(table, "restitution");
+    touch.tangential_restitution = one(table, "tangential_restitution");
+    if (!table.boolean("bilateral").value_or(false)) {
+      if (!touch.restitution) touch.restitution = default_restitution_;
+    } else if (table.has("restitution")) {
+      table.refuse("restitution", "found it at a guide, which no impact opens, expected none");
+    }
+    if (table.has("tangential_restitution") && !table.has("friction")) {
+      table.refuse("tangential_restitution", "found it at a contact without friction, expected none");
     }
   }
 
@@ -150,6 +192,8 @@ class BodyContactReader : public BodyParts {
     bodies_.friction.push_back({mechanism_.friction.size(), first, second, table.has("state"), value.place});
     mechanism_.friction.push_back(std::move(friction));
   }
+
+  PlacedExpression default_restitution_;  ///< of contacts that give none
 };
 
 }  // namespace

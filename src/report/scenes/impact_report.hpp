@@ -1,0 +1,15 @@
+// The report on an impact: all outcomes, as text and as `slipproof/impact/1`.
+#pragma once
+
+#include <string>
+
+#include "contact/impact/solved_impact.hpp"
+#include "report/document/document.hpp"
+
+namespace slipproof {
+
+Document impact_document(const SolvedImpact& solved, int digits);
+/// The document slipproof/impact/1.
+std::string impact_json(const SolvedImpact& solved);
+
+}  // namespace slipproof

@@ -1,0 +1,70 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/run_program.hpp"
+
+using slipproof::test::last_line;
+using slipproof::test::run;
+
+namespace {
+
+const std::string impacts = SLIPPROOF_SOURCE_DIR "/cases/impact/";
+
+}  // namespace
+
+TEST_CASE("impact says what moves after, and that energy is gained") {
+  const auto text = run({"impact", impacts + "rod-that-gains.toml"});
+  CHECK(text.exit_code == 0);
+  CHECK(text.out.find("an impact by Moreau's law") != std::string::npos);
+  CHECK(text.out.find("GAINS 37.5 % of the energy") != std::string::npos);
+  CHECK(last_line(text.out) == "s COMPLETE outcomes 1 gain energy 1 undecided 0\n");
+}
+
+TEST_CASE("impact as JSON: velocities before and after, impulses, energies") {
+  const auto document =
+      nlohmann::json::parse(run({"impact", impacts + "rod-that-gains.toml", "--law", "newton", "--json"}).out);
+  CHECK(document["schema"] == "slipproof/impact/1");
+  CHECK(document["law"] == "newton");
+  CHECK(document["complete"] == true);
+  CHECK(document["before"]["velocities"]["vy"] == "-2/5");
+  CHECK(document["before"]["contacts"]["foot"]["opening"] == "-1");
+  CHECK(document["before"]["energy"] == "4/15");
+  REQUIRE(document["outcomes"].size() == 1);
+  const auto& outcome = document["outcomes"][0];
+  CHECK(outcome["modes"] == nlohmann::json::array({"stick"}));
+  CHECK(outcome["velocities"]["omega"] == "-1/2");
+  CHECK(outcome["impulses"]["N_foot"] == "11/10");
+  CHECK(outcome["contacts"]["foot"]["opening"] == "1");
+  CHECK(outcome["energy"] == "11/30");
+  CHECK(outcome["gains_energy"] == true);
+}
+
+TEST_CASE("each law has its own outcome, and Poisson's says what compression ends with") {
+  const auto poisson =
+      nlohmann::json::parse(run({"impact", impacts + "rod-that-gains.toml", "--law", "poisson", "--json"}).out);
+  CHECK(poisson["outcomes"][0]["gains_energy"] == false);
+  CHECK(poisson["outcomes"][0]["velocities"].contains("omega_compression"));
+  CHECK(poisson["outcomes"][0]["impulses"].contains("N_foot_extra"));
+  CHECK(run({"impact", impacts + "two-balls.toml", "--law", "hertz"}).exit_code == 2);
+}
+
+TEST_CASE("a mechanism with [impact] is its own impact for all commands that know one") {
+  const std::string proofs = SLIPPROOF_SOURCE_DIR "/proofs/impacts/";
+  const auto search = run({"search", proofs + "cradle.toml", "--samples", "5"});
+  CHECK(search.exit_code == 0);
+  CHECK(search.out.find("touch/touch") != std::string::npos);
+  const auto show = run({"show", proofs + "rod.toml"});
+  CHECK(show.out.find("vx") != std::string::npos);
+}
+
+TEST_CASE("scenes without an impact are refused by impact, and approaching ones by others name it") {
+  const auto rest = run({"impact", SLIPPROOF_SOURCE_DIR "/cases/rest/ladder.toml"});
+  CHECK(rest.exit_code == 3);
+  CHECK(rest.err.find("found no contact that approaches") != std::string::npos);
+  const auto bicycle = run({"impact", SLIPPROOF_SOURCE_DIR "/cases/city-bicycle.toml"});
+  CHECK(bicycle.exit_code == 3);
+  const auto solve = run({"solve", impacts + "two-balls.toml"});
+  CHECK(solve.exit_code == 3);
+  CHECK(solve.err.find("slipproof impact") != std::string::npos);
+}
