@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# build.sh BUILT OUT: makes the site in OUT with the program in BUILT: its front page, on which the explorer runs, the report
+# of all papers, the table of the engines, and all pages of the project with navigation and search. It needs no server.
+# `slipproof explore` finds the explorer where ./run explorer put it.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+source=$(cd "$here/../../.." && pwd)
+built=$(cd "$1" && pwd)
+mkdir -p "$2"
+out=$(cd "$2" && pwd)
+program=$built/slipproof
+# A verdict other than success is what the report is about; from 5 on, there is none.
+allowed() { "$@" || (($? < 5)); }
+
+cd "$source"
+"$program" explore cases/three-motions/three-motions.toml -o "$out/explorer.html" --quiet
+"$program" explore cases/rest/three-legged-table.toml -o "$out/stand.html" --quiet
+allowed "$program" report proofs --out "$out/papers" --quiet
+allowed "$program" report cases/engines --out "$out/engines" --quiet
+cp src/report/html/style.css "$out/report.css"
+cp "$here/front.css" "$out/"
+stand=$("$program" rest cases/rest/three-legged-table.toml --quiet)
+sed "s|@version@|$("$program" --version)|; s|@stand@|The program says of this table: <code>$stand</code>.|" \
+  "$here/front.html" >"$out/index.html"
+/usr/bin/python3 -B "$here/pages.py" "$source" "$built" "$out"
