@@ -192,8 +192,10 @@ def certify_bodies(M: Any, H: Any, f: Any, r: Any = None, mu: Any = None, *, w: 
     A row of ``f`` (k, n) is a problem. ``M`` (k, n, n) and ``H`` (k, n, m) may be the same for all of them, (n, n) and (n, m),
     and so may ``mu``: a number, one for each contact, or (k, contacts). ``w`` (k, m) is 0 if it is left out; ``r`` (k, m) has
     the forces of each contact, (N, T1, T2) in space; ``u`` (k, m) and ``v`` (k, n), the solver's velocities of contacts
-    and bodies, may be left out. These numbers are judged as they are: W = H^T M^-1 H is not rounded on the way. The other
-    arguments are those of :func:`certify`. Raises as that does.
+    and bodies, may be left out. These numbers are judged as they are: W = H^T M^-1 H is not rounded on the way.
+    ``dimension`` is 2 or 3. ``tolerance``, ``refine``, ``all``, ``within``, ``effort``, ``threads`` and ``progress`` are those
+    of :func:`certify`. Raises TypeError and ValueError for arrays that do not fit, InputError for numbers that no problem
+    can have.
     """
     push = numbers("f", f, (2,))
     count, n = push.shape
