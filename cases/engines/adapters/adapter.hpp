@@ -68,7 +68,6 @@ struct Friction {
 
 struct Question {
   bool in_space = false;
-  bool drifts = false;  ///< asks how far bodies move that should rest, not for an acceleration
   Vector gravity{};
   double size = 1, step = 0;
   int iterations = 0;  ///< 0: the engine's default
@@ -76,6 +75,7 @@ struct Question {
   std::vector<Contact> contacts{};
   std::vector<Joint> joints{};
   std::vector<Friction> friction{};
+  bool drifts = false;  ///< asks how far bodies move that should rest, not for an acceleration
 
   /// For engines that find contacts themselves: a disc of the contact's own radius, or a small one, touches a square of
   /// half the width `half` in the middle of its upper side.

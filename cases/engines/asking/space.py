@@ -74,7 +74,7 @@ def own_shapes(scene, built):
     body = scene["bodies"][0]
     level = all(contact["on"] == 0 and contact["normal"][2] == 1 and abs(contact["at"][2]) <= CLOSE * built["size"]
                 for contact in built["contacts"])
-    if len(scene["bodies"]) != 1 or not level or not built["contacts"]:
+    if len(scene["bodies"]) != 1 or not level or not built["contacts"] or not body["shapes"]:
         raise Refused("shapes that are not those of one body on a level floor")
     shapes, identity = [], [1, 0, 0, 0]
     for shape in body["shapes"]:

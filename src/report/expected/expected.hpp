@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "claims/uniqueness/expected_answer.hpp"
-#include "report/expected/expected_in_space.hpp"
+#include "claims/uniqueness/expected_in_space.hpp"
 
 namespace slipproof {
 

@@ -2,6 +2,8 @@
 hangs or is not there. Where ODE is installed, its adapter is asked, too."""
 
 import json
+import math
+import os
 import shutil
 import subprocess
 import sys
@@ -11,10 +13,11 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 SLIPPROOF, CASES = sys.argv[1], Path(sys.argv[2]).resolve()
+EVERY = int(os.environ.get("SLIPPROOF_ENGINES_EVERY", "8"))  # of the scenes in space
 sys.path.insert(0, str(CASES))
 from asking.scenes import scenes_of  # noqa: E402
-from asking.space import WorldInSpace, principal  # noqa: E402
-from asking.threshold import Bisection, quantity  # noqa: E402
+from asking.space import WorldInSpace, cross, principal  # noqa: E402
+from asking.threshold import Bisection, acceleration, quantity  # noqa: E402
 from asking.world import Refused, step_of, world  # noqa: E402
 
 
@@ -27,6 +30,22 @@ def ask(*engines, table=HERE / "engines.toml", only="", limit=20):
         lines = {file.stem: [json.loads(line) for line in file.read_text().splitlines()]
                  for file in Path(folder).glob("*.jsonl")}
         return told, lines
+
+
+def middle(value):
+    return value["double"] if "double" in value else (value["lower"]["double"] + value["upper"]["double"]) / 2
+
+
+def width(value):
+    ends = [value.get(end) for end in ("lower", "upper")]
+    return 0 if "double" in value else math.inf if None in ends else ends[1]["double"] - ends[0]["double"]
+
+
+def in_axes(turn, vector):
+    """Of a vector of the scene its components along the axes that a quaternion turns."""
+    w, axis = turn[0], [-x for x in turn[1:]]
+    once = cross(axis, vector)
+    return [v + 2 * (w * a + b) for v, a, b in zip(vector, once, cross(axis, once))]
 
 
 def line_of(lines, asked):
@@ -108,6 +127,58 @@ class Scenes(unittest.TestCase):
                     self.assertAlmostEqual(quantity(built, values, i, "gap"), 0, 6, (name, i))
                 if state == "stick":
                     self.assertAlmostEqual(quantity(built, values, i, "slip"), 0, 6, (name, i))
+
+    def opposes(self, built, values, number, friction, largest):
+        """Whether friction points against a slip from rest."""
+        contact = built["contacts"][number]
+        of, on = (acceleration(built["bodies"], values, contact[side], contact["at"]) for side in ("of", "on"))
+        slip = [sum(d * (p - q) for d, p, q in zip(contact[along], of, on)) for along in ("tangent", "second")]
+        size = math.hypot(*slip)
+        self.assertAlmostEqual(friction[0] * slip[0] + friction[1] * slip[1], -math.hypot(*friction) * size,
+                               delta=1e-5 * largest * size)
+
+    def obeys(self, exact, built, motion):
+        """Newton's, Euler's and Coulomb's laws, by the bodies alone."""
+        values = {key: middle(value) for key, value in motion["accelerations"].items()}
+        forces = {key: middle(value) for key, value in motion["forces"].items()}
+        pushes = [[*body["force"], *body["torque"]] for body in built["bodies"]]
+        largest = 1e-9 + max(map(abs, list(forces.values()) + [f for push in pushes for f in push]))
+        for i, (contact, state) in enumerate(zip(built["contacts"], motion["modes"][0].split("/"))):
+            n, t1, t2 = [forces[name] for name in contact["forces"]] + [0] * (3 - len(contact["forces"]))
+            force = [n * contact["normal"][k] + t1 * contact["tangent"][k] + t2 * contact["second"][k] for k in range(3)]
+            for side, sign in (("of", 1), ("on", -1)):
+                arm = [p - q for p, q in zip(contact["at"], built["bodies"][contact[side]]["at"])]
+                for k, f in enumerate(force + cross(arm, force)):
+                    pushes[contact[side]][k] += sign * f
+            self.assertGreaterEqual(n, -1e-6 * largest)
+            self.assertLessEqual(math.hypot(t1, t2), contact["friction"] * n + 1e-6 * largest)
+            if state == "slip":
+                self.assertAlmostEqual(math.hypot(t1, t2), contact["friction"] * n, delta=1e-5 * largest)
+                if "state" not in exact["contacts"][i]:
+                    self.opposes(built, values, i, (t1, t2), largest)
+        for body, push in zip(built["bodies"], pushes):
+            if "mass" in body:
+                own = [values[name] * sign for name, sign in body["names"]]
+                for k in range(3):
+                    self.assertAlmostEqual(body["mass"] * (own[k] - built["gravity"][k]), push[k], delta=1e-5 * largest)
+                turn = [in_axes(body["turn"], v) for v in (own[3:], push[3:])]
+                for moment, alpha, couple in zip(body["inertia"], *turn):
+                    self.assertAlmostEqual(moment * alpha, couple, delta=1e-5 * largest * built["size"])
+
+    def test_expected_motions_in_space_obey_the_laws_of_motion(self):
+        held = 0
+        for name in sorted(name for name, scene in self.scenes.items() if scene.in_space)[::EVERY]:
+            scene = self.scenes[name]
+            exact = scene.bodies()
+            if exact["joints"]:
+                continue
+            built = WorldInSpace(exact).built()
+            for motion in scene.expected["motions"]:
+                if all(value and width(value) < 1e-6 for value in motion["forces"].values()):
+                    with self.subTest(scene=name):
+                        self.obeys(exact, built, motion)
+                    held += 1
+        self.assertGreater(held, 80 // EVERY)
 
     def test_principal_axes_turn_moments_into_the_inertia(self):
         moments, axes = principal([3, 2, 1, 0.5, -0.25, 0.125])

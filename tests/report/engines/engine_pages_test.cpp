@@ -69,17 +69,16 @@ TEST_CASE("the floor above which a threshold was found stands beside it") {
 
 TEST_CASE("how far bodies creep that should rest stands in a table, and is no answer that is judged") {
   const test::EngineFiles files;
-  files.line(
-      std::string(answers) +
-      R"(
+  files.line(std::string(answers) +
+             R"(
 {"schema":"slipproof/engine-answer/1","engine":"c","version":"1","asked":"drift","scene":"one-motion/pulled","drift":{"1":1e-9,"10":2e-8,"100":0.003}})");
   const EngineResults results = engine_results(judge_engines(files.folder()));
   const auto pages = pages_of(results);
   pugi::xml_document index;
   REQUIRE(index.load_string(pages.at("index.html").c_str(), pugi::parse_default | pugi::parse_doctype));
   CHECK(index.select_node("//*[@id='drift']//tr[th='c']/td[.='3.0e-03; 3.0e-03']"));
-  CHECK(pages.at("one-motion/pulled.html").find("moves by 1.0e-09 of the size in 1 step, 2.0e-08 of the size in 10 steps") !=
-        std::string::npos);
+  CHECK(pages.at("one-motion/pulled.html")
+            .find("moves by 1.0e-09 of the size in 1 step, 2.0e-08 of the size in 10 steps") != std::string::npos);
   CHECK(Json::parse(engine_table_json(results))["engines"].size() == 2);
 }
 
@@ -90,12 +89,12 @@ TEST_CASE("engines stand in rows, with a sign for each scene that leads to it, a
   REQUIRE(page.load_string(pages.at("none.html").c_str(), pugi::parse_default | pugi::parse_doctype));
   const auto row = page.select_node("//*[@id='answers']//tr[th='e']");
   REQUIRE(row);
-  const auto link = row.node().select_node(".//a[@href='none/rod.html#engines']").node();
+  const auto link = row.node().select_node(".//a[starts-with(@href,'none/rod')]").node();
   CHECK(std::string(link.attribute("title").value()).ends_with(": wrong"));
   CHECK(std::string(link.child_value("span")) == "✗");
   CHECK_FALSE(page.select_node("//*[@id='answers']//tr[th='<f>']"));  // it refuses all of them
   CHECK(page.select_node("//input[@type='search'][@data-list='scene-list']"));
-  CHECK(page.select_node("//*[@id='scene-list']//li[contains(@class,'item')]/a[@href='none/rod.html']"));
+  CHECK(page.select_node("//*[@id='scene-list']//li[contains(@class,'item')]/a[starts-with(@href,'none/rod')]"));
   CHECK(pages.at("index.html").find("type=search") != std::string::npos);  // the script
 }
 
@@ -170,6 +169,7 @@ TEST_CASE("a design that is no string is refused at its place") {
 TEST_CASE("the shipped table says which engines have soft contacts on purpose") {
   const std::string table = SLIPPROOF_SOURCE_DIR "/cases/engines/engines.toml";
   const auto designs = engine_designs(table);
-  for (const char* engine : {"mujoco", "rapier2d", "rapier3d", "rapier3d-shapes", "box2d3"}) CHECK(designs.contains(engine));
+  for (const char* engine : {"mujoco", "rapier2d", "rapier3d", "rapier3d-shapes", "box2d3"})
+    CHECK(designs.contains(engine));
   CHECK(designs.size() == 5);
 }

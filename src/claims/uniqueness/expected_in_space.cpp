@@ -1,4 +1,4 @@
-#include "report/expected/expected_in_space.hpp"
+#include "claims/uniqueness/expected_in_space.hpp"
 
 #include <algorithm>
 #include <stdexcept>
