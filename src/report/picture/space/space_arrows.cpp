@@ -243,8 +243,8 @@ void SpaceArrows::body(const SpaceGeometry::MovingBody& body) {
   straight(body.at, body.velocity, true, body.name, in_.sizes.speed);
   const auto turning = [&](const Vec3& axis, bool before, double largest) {
     if (length(axis) <= nothing * largest || largest == 0) return;
-    const std::string words =
-        quantity(before ? "spin" : "turning", length(axis), before ? "rad/s" : "rad/s²", body.name);
+    const std::string words = quantity(before ? "spin" : after("spin", "turning"), length(axis),
+                                       before || in_.geometry.is_impact ? "rad/s" : "rad/s²", body.name);
     const auto places = turn(body.at, axis, before ? turn_radius : turn_radius + 8,
                              before ? "velocity" : "acceleration", before ? ArrowLine::solid : ArrowLine::dotted);
     if (named()) labels_.words(places, words);
@@ -262,7 +262,8 @@ void SpaceArrows::straight(const Vec3& at, const Vec3& way, bool before, const s
   if (size == 0 || length(way) <= nothing * size) return;
   const Vec3 end = at + (longest_way / in_.view.scale() / size) * way;
   arrow(at, end, before ? "velocity" : "acceleration", before ? ArrowLine::solid : ArrowLine::dotted);
-  const std::string words = quantity(before ? "v" : "a", length(way), before ? "m/s" : "m/s²", name);
+  const std::string words =
+      quantity(before ? "v" : after("v", "a"), length(way), before || in_.geometry.is_impact ? "m/s" : "m/s²", name);
   const Point from = in_.view.pixel(at), to = in_.view.pixel(end);
   if (named()) {
     labels_.words({to, halfway_to(from, to)}, words);
@@ -270,6 +271,11 @@ void SpaceArrows::straight(const Vec3& at, const Vec3& way, bool before, const s
   }
   signs_.insert(before ? SpaceSign::velocity : SpaceSign::acceleration);
   describe(name, words);
+}
+
+/// What an impact makes of a velocity, or otherwise its change.
+std::string SpaceArrows::after(const std::string& velocity, const std::string& change) const {
+  return in_.geometry.is_impact ? velocity + " after" : change;
 }
 
 /// `v = 3 m/s`; with several bodies `cart: v = 3 m/s`.

@@ -74,6 +74,7 @@ class SpaceArrows {
   void straight(const Vec3& at, const Vec3& way, bool before, const std::string& name, double size);
   /// Part of a circle around an axis, with an arrow at its end; returns places for its label.
   std::vector<Point> turn(const Vec3& at, const Vec3& axis, double radius, std::string_view css, ArrowLine line);
+  std::string after(const std::string& velocity, const std::string& change) const;
   std::string quantity(const std::string& symbol, double value, const std::string& unit, const std::string& body) const;
   void describe(const std::string& body, const std::string& words);
   Point see(const Vec3& p);
