@@ -133,7 +133,7 @@ std::vector<MechanismFinding> check_gravity(const CheckPoints& points) {
                     std::string("gravity points up: ") + (space ? "z" : "y") +
                         " counts upwards, expected a vector such as [\"0\", " + (space ? "\"0\", " : "") + "\"-g\"]")};
   }
-  if (std::ranges::none_of(mechanism.contacts, rests)) return {};
+  if (mechanism.impact || std::ranges::none_of(mechanism.contacts, rests)) return {};  // gravity has no impulse
   std::size_t count = 0;
   bool moves = false;
   std::map<std::size_t, MechanismFinding> open;

@@ -186,6 +186,23 @@ through = ["3/4", "0"]
   CHECK(after(moreau, "gap_right") == after(moreau, "vy") + after(moreau, "omega") * Rational(3, 4) + Rational(1, 2));
 }
 
+TEST_CASE("each law can gain energy, and one restitution for everything cannot") {
+  const auto gains = [](const SolvedImpact& solved) { return solved.outcomes.at(0).gains == true; };
+  for (const ImpactLaw law : {ImpactLaw::newton, ImpactLaw::moreau}) {
+    const SolvedImpact bar = impact("bar-that-gains", law);
+    CHECK(after(bar, "vy") == Rational(8, 3));  // the ends leave with 4 and 0
+    CHECK(after(bar, "omega") == Rational(-4, 3));
+    CHECK(energy_after(bar) == Rational(104, 27));
+    CHECK(gains(bar));
+    CHECK(gains(impact("rod-that-gains", law)));
+    CHECK(gains(impact("kane-pendulum", law)));
+  }
+  CHECK(!gains(impact("bar-that-gains", ImpactLaw::poisson)));
+  CHECK(gains(impact("wedge-that-gains", ImpactLaw::poisson)));
+  CHECK(!gains(impact("wedge-that-gains", ImpactLaw::newton)));
+  CHECK(!gains(impact("ball-with-spin", ImpactLaw::moreau, {{"e", 1}, {"et", 1}, {"mu", 100}})));
+}
+
 TEST_CASE("mistakes about impacts say what is wrong, and where") {
   const std::string ball = R"([[body]]
 name = "ball"

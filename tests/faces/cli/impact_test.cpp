@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "support/run_program.hpp"
@@ -64,7 +65,26 @@ TEST_CASE("scenes without an impact are refused by impact, and approaching ones 
   CHECK(rest.err.find("found no contact that approaches") != std::string::npos);
   const auto bicycle = run({"impact", SLIPPROOF_SOURCE_DIR "/cases/city-bicycle.toml"});
   CHECK(bicycle.exit_code == 3);
-  const auto solve = run({"solve", impacts + "two-balls.toml"});
+  const slipproof::test::TemporaryFolder folder;
+  const std::string scene = (folder.path() / "ball.toml").string();
+  std::ofstream(scene) << R"(schema = "slipproof/mechanism/1"
+name = "ball"
+gravity = "none"
+[[body]]
+name = "ball"
+mass = "1"
+turning = "0"
+velocity = ["0", "-1"]
+[[contact]]
+name = "floor"
+of = "ball"
+point = ["0", "0"]
+normal = ["0", "1"]
+restitution = "1"
+)";
+  const auto solve = run({"solve", scene});
   CHECK(solve.exit_code == 3);
   CHECK(solve.err.find("slipproof impact") != std::string::npos);
+  CHECK(run({"impact", scene}).exit_code == 0);
+  CHECK(run({"rest", impacts + "two-balls.toml"}).exit_code == 3);  // an impact by its file
 }

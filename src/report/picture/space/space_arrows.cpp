@@ -243,10 +243,8 @@ void SpaceArrows::body(const SpaceGeometry::MovingBody& body) {
   straight(body.at, body.velocity, true, body.name, in_.sizes.speed);
   const auto turning = [&](const Vec3& axis, bool before, double largest) {
     if (length(axis) <= nothing * largest || largest == 0) return;
-    const std::string words = quantity(before           ? "spin"
-                                       : in_.is_virtual ? "turns at a rate of"
-                                                        : "turning",
-                                       length(axis), before ? "rad/s" : "rad/s²", body.name);
+    const std::string words = quantity(before ? "spin" : after("spin", "turning", "turns at a rate of"), length(axis),
+                                       before || in_.geometry.is_impact ? "rad/s" : "rad/s²", body.name);
     const auto places = turn(body.at, axis, before ? turn_radius : turn_radius + 8,
                              before ? "velocity" : "acceleration", before ? ArrowLine::solid : ArrowLine::dotted);
     if (named()) labels_.words(places, words);
@@ -264,10 +262,8 @@ void SpaceArrows::straight(const Vec3& at, const Vec3& way, bool before, const s
   if (size == 0 || length(way) <= nothing * size) return;
   const Vec3 end = at + (longest_way / in_.view.scale() / size) * way;
   arrow(at, end, before ? "velocity" : "acceleration", before ? ArrowLine::solid : ArrowLine::dotted);
-  const std::string words = quantity(before           ? "v"
-                                     : in_.is_virtual ? "moves at a rate of"
-                                                      : "a",
-                                     length(way), before ? "m/s" : "m/s²", name);
+  const std::string words = quantity(before ? "v" : after("v", "a", "moves at a rate of"), length(way),
+                                     before || in_.geometry.is_impact ? "m/s" : "m/s²", name);
   const Point from = in_.view.pixel(at), to = in_.view.pixel(end);
   if (named()) {
     labels_.words({to, halfway_to(from, to)}, words);
@@ -279,6 +275,12 @@ void SpaceArrows::straight(const Vec3& at, const Vec3& way, bool before, const s
 
 void SpaceArrows::sign_of_motion(bool before) {
   signs_.insert(before ? SpaceSign::velocity : in_.is_virtual ? SpaceSign::virtual_rate : SpaceSign::acceleration);
+}
+
+/// What an impact makes of a velocity, or otherwise its change, or the rate of a virtual motion.
+std::string SpaceArrows::after(const char* velocity, const char* change, const char* rate) const {
+  if (in_.geometry.is_impact) return std::string(velocity) + " after";
+  return in_.is_virtual ? rate : change;
 }
 
 /// `v = 3 m/s`; with several bodies `cart: v = 3 m/s`.

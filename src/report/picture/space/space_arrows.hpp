@@ -77,6 +77,7 @@ class SpaceArrows {
   void sign_of_motion(bool before);
   /// Part of a circle around an axis, with an arrow at its end; returns places for its label.
   std::vector<Point> turn(const Vec3& at, const Vec3& axis, double radius, std::string_view css, ArrowLine line);
+  std::string after(const char* velocity, const char* change, const char* rate) const;
   std::string quantity(const std::string& symbol, double value, const std::string& unit, const std::string& body) const;
   void describe(const std::string& body, const std::string& words);
   Point see(const Vec3& p);

@@ -28,6 +28,7 @@ class SpaceReader {
       const Vec3 down = vector(bodies_.gravity);
       if (length(down) > 0) result_.up = direction_of(-1 * down);
     }
+    result_.is_impact = m_.impact.has_value();
     result_.has_units = std::ranges::any_of(m_.unknowns, [](const auto& unknown) { return !unknown.unit.empty(); });
     for (const Body& body : bodies_.bodies) frames_.push_back(frame(body));
     points_.resize(frames_.size());

@@ -68,6 +68,7 @@ struct SpaceGeometry {
   std::vector<MovingBody> bodies;  ///< without the ground
   Vec3 up{0, 0, 1};                ///< against gravity, where there is some
   bool has_units = false;          ///< m, s, kg
+  bool is_impact = false;          ///< what would be accelerations are velocities after it, and forces impulses
 };
 
 /// Throws InputError if a coordinate has no value in the scene.

@@ -38,6 +38,23 @@ std::string_view meaning_of(SpaceSign sign) {
   return {};
 }
 
+std::string_view meaning_in_impact(SpaceSign sign) {
+  switch (sign) {
+    case SpaceSign::force:
+      return "impulse of a contact";
+    case SpaceSign::open_force:
+      return "impulse that is open: one of its range";
+    case SpaceSign::velocity:
+      return "velocity before";
+    case SpaceSign::acceleration:
+      return "velocity after";
+    case SpaceSign::slip:
+      return "where a contact slides after";
+    default:
+      return meaning_of(sign);
+  }
+}
+
 void add_sample(const Element& svg, SpaceSign sign, double x, double y) {
   const Point from{x, y}, to{x + 26, y};
   switch (sign) {
@@ -71,12 +88,13 @@ void add_sample(const Element& svg, SpaceSign sign, double x, double y) {
 
 }  // namespace
 
-double add_space_legend(const Element& svg, const std::set<SpaceSign>& signs, Point corner, double width) {
+double add_space_legend(const Element& svg, const std::set<SpaceSign>& signs, Point corner, double width,
+                        bool is_impact) {
   constexpr double line = 19, letter = 6.6, sample = 32, between = 14;
   const Element group = svg.add("g", "legend");
   double x = corner[0], y = corner[1] + line / 2;
   for (const SpaceSign sign : signs) {
-    const std::string_view words = meaning_of(sign);
+    const std::string_view words = is_impact ? meaning_in_impact(sign) : meaning_of(sign);
     const double needed = sample + letter * static_cast<double>(utf8_count(std::string(words)));
     if (x > corner[0] && x + needed > corner[0] + width) x = corner[0], y += line;
     add_sample(group, sign, x, y);

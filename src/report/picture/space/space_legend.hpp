@@ -24,8 +24,10 @@ enum class SpaceSign : std::uint8_t {
   shadow
 };
 
-/// Adds a sample of each with its meaning, in lines of at most this width; returns their height.
-double add_space_legend(const Element& svg, const std::set<SpaceSign>& signs, Point corner, double width);
+/// Adds a sample of each with its meaning, in lines of at most this width; returns their height. Of an impact forces
+/// are impulses, and accelerations velocities after it.
+double add_space_legend(const Element& svg, const std::set<SpaceSign>& signs, Point corner, double width,
+                        bool is_impact = false);
 
 /// A whole velocity is thin, an acceleration dotted.
 void add_velocity_arrow(const Element& svg, Point from, Point to);

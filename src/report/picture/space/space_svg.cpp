@@ -203,8 +203,8 @@ std::string single_file(const MechanismScene& scene, const SpaceMotion* motion, 
         if (motion != nullptr && !kind_of(*motion).empty()) pieces.push_back(kind_of(*motion));
         frame.caption(pieces);
         const LabelBox drawn = frame.drawn();
-        const double height =
-            add_space_legend(svg, picture.signs(), {drawn.left, drawn.bottom + 8}, PictureFrame::widest - 20);
+        const double height = add_space_legend(svg, picture.signs(), {drawn.left, drawn.bottom + 8},
+                                               PictureFrame::widest - 20, scene.mechanism.impact.has_value());
         frame.see(LabelBox{drawn.left, drawn.top, std::max(drawn.right, drawn.left + PictureFrame::widest - 20),
                            drawn.bottom + 8 + height});
         frame.heading(scene.name, mode);
@@ -265,7 +265,7 @@ std::string space_motions_svg_file(const SolvedSpace& solved, const Vec3& from) 
                             }});
   }
   sheet.legend = [&](const Element& svg, Point corner, double width) {
-    return add_space_legend(svg, picture.signs(), corner, width);
+    return add_space_legend(svg, picture.signs(), corner, width, solved.scene.mechanism.impact.has_value());
   };
   sheet.more_style = space_style();
   return panels_svg_file(sheet);
