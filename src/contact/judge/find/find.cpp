@@ -10,6 +10,7 @@
 #include "contact/enclosure/answer.hpp"
 #include "contact/enclosure/residual.hpp"
 #include "contact/judge/find/sweeps.hpp"
+#include "contact/problem/parts.hpp"
 
 namespace slipproof {
 
@@ -113,6 +114,20 @@ std::optional<MixedProblem> delassus(const MixedProblem& problem, const FindOpti
   return result;
 }
 
+/// Each part for itself: parts converge at their own pace, and Newton's method is cubic in their sizes.
+std::vector<double> swept_by_parts(const MixedProblem& contacts, std::vector<double> r, int rounds) {
+  const std::vector<ContactPart> parts = parts_of(contacts);
+  if (parts.size() == 1 || contacts.law.kind == FrictionLaw::fixed) return swept(contacts, std::move(r), rounds);
+  for (const ContactPart& part : parts) {
+    const std::vector<std::size_t> rows = rows_of(contacts, part);
+    std::vector<double> own;
+    for (const std::size_t i : rows) own.push_back(r[i]);
+    own = swept(part_of(contacts, part, rows), std::move(own), rounds);
+    for (std::size_t i = 0; i < rows.size(); ++i) r[rows[i]] = own[i];
+  }
+  return r;
+}
+
 std::vector<double> with_free(const MixedProblem& problem, const std::vector<double>& r) {
   std::vector<double> x(problem.free, 0);
   x.insert(x.end(), r.begin(), r.end());
@@ -141,7 +156,7 @@ std::vector<double> approximate_solution(const MixedProblem& problem, const Find
   std::vector<double> r(contacts.size(), 0);
   if (!options.start.empty())
     std::copy(options.start.begin() + static_cast<std::ptrdiff_t>(problem.free), options.start.end(), r.begin());
-  r = swept(contacts, std::move(r), options.rounds);
+  r = swept_by_parts(contacts, std::move(r), options.rounds);
   if (!std::ranges::all_of(r, [](double x) { return std::isfinite(x); })) return {};
   return with_free(problem, r);
 }
