@@ -232,7 +232,7 @@ class ContactCase {
   /// Where equations depend on each other up to rounding.
   void follow() {
     Effort effort(options_.effort);  // other searches may have left none
-    auto box = solve_along_path(problem_, j_.x, effort);
+    auto box = solve_along_path(problem_, j_.x, effort, answer_from_elsewhere);
     if (!box) return;
     j_.eta = velocity_distance(problem_, *box, j_.x);
     take(std::move(*box));
