@@ -163,10 +163,14 @@ class ContactCase {
     std::vector<std::vector<Rational>> others;
     for (const FoundSolution& s : found.all.solutions) others.push_back(values_of(s.r));
     std::ranges::rotate(others, others.begin() + static_cast<std::ptrdiff_t>(found.all.singles()));
-    if (!found.continua.empty()) {
-      for (auto& z : found.continua.front().two(effort_)) others.push_back(std::move(z));
+    for (const ContactContinuum& continuum : found.continua) {
+      for (auto& z : continuum.two(effort_)) others.push_back(std::move(z));
     }
-    const auto other = std::ranges::find_if(others, [&](const auto& z) { return z != nearest; });
+    j_.undetermined = found.all.solutions[*found.nearest].open_directions;
+    const ContactProblem& contacts = small.problem;
+    const auto motion = [&](const auto& z) { return contacts.frictional() ? accelerations(contacts, z) : z; };
+    const auto own = motion(nearest);
+    const auto other = std::ranges::find_if(others, [&](const auto& z) { return motion(z) != own; });
     if (other != others.end()) j_.other_exact = small.with_free(*other);
   }
 

@@ -171,6 +171,7 @@ void add_others(const ContactJudgement& j, Json& line) {
 /// Whether a solution that was found is the only one, and in what sense.
 Json uniqueness(const ContactJudgement& j) {
   if (j.verdict == ContactVerdict::unique) return "globally";
+  if (j.others_excluded()) return "velocities";
   return j.enclosure && j.enclosure->locally_unique ? Json("locally") : Json();
 }
 

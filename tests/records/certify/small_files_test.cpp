@@ -27,6 +27,9 @@ TEST_CASE("a small problem that is judged as a file has all its solutions, and t
   CHECK(wrong["all"]["margin"] == "-7/2");
   const std::string rod = R"({"W":[[1,0,1,0],[0,1,0,1],[1,0,1,0],[0,1,0,1]],"q":[-1,0,-1,0],"mu":[0.5,0.5],)";
   const Json open = judged(rod + R"("z":[0.25,0.125,0.75,-0.125]})", as_file);
+  CHECK(open["verdict"] == "solution within rho");
+  CHECK(open["unique"] == "velocities");
+  CHECK_FALSE(open.contains("others"));
   CHECK(open["all"]["continuum"] == true);
   CHECK(open["all"]["continua"][0]["mode"] == "stick/stick");
 }
