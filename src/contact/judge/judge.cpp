@@ -82,7 +82,7 @@ class ContactCase {
     const bool maybe = j_.undetermined > 0 || long_numbers || j_.verdict == ambiguous ||
                        j_.verdict == velocities_within_rho || (j_.verdict == eps_solution && !j_.contacts.empty());
     if (!maybe) return;
-    Effort effort(options_.effort);  // other searches may have left none
+    Effort effort(std::min(options_.effort, 25 * beyond_verdict()));
     extra("ranges of open forces", [&] { j_.open = open_forces(problem_, j_.x, options_.tolerance, effort); });
   }
 
