@@ -1,11 +1,17 @@
 #include "contact/enclosure/dependence.hpp"
 
+#include <Eigen/OrderingMethods>
 #include <Eigen/QR>
+#include <Eigen/SparseQR>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/algebra/flint_matrix.hpp"
+#include "base/algebra/sparse/sparse_basis.hpp"
 #include "base/number/binary64.hpp"
+#include "base/number/effort.hpp"
+#include "base/parallel/stop.hpp"
 #include "contact/enclosure/enclosure.hpp"
 
 namespace slipproof {
@@ -14,6 +20,8 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
+
+constexpr Work largest_elimination = 2'000'000'000;  ///< of exact rows: about a second, far less where they are round
 
 MatrixXd derivative_of(const ModeSystem& system, std::span<const double> z, std::span<const std::size_t> equations,
                        std::span<const std::size_t> unknowns) {
@@ -105,14 +113,138 @@ bool combine(const MixedProblem& problem, const ModeSystem& system, std::span<co
   return true;
 }
 
-DependenceResult exact_dependence(const MixedProblem& problem, const ModeSystem& system, std::span<const double> z,
-                                  std::span<const std::size_t> equations, std::span<const std::size_t> unknowns) {
+namespace {
+
+/// The linear equations as columns: a row for each component of x that is not 0 in the mode, the last for constants.
+std::vector<SparseVector> linear_columns(const MixedProblem& problem, const ModeSystem& system,
+                                         std::span<const std::size_t> linear) {
+  std::vector<SparseVector> result;
+  for (const std::size_t e : linear) {
+    const std::size_t row = system.equations()[e].row;
+    SparseVector& column = result.emplace_back();
+    for (std::size_t i = problem.A.starts[row]; i < problem.A.starts[row + 1]; ++i) {
+      const std::uint32_t place = problem.A.column[i];
+      if (!system.is_zero(place)) column.emplace_back(place, to_rational(problem.A.value[i]));
+    }
+    if (problem.c[row] != 0) column.emplace_back(problem.size(), to_rational(problem.c[row]));
+  }
+  return result;
+}
+
+/// The linear equations that are combinations of the others, with these. Throws TooMuchWork.
+std::vector<DroppedEquation> dropped_exactly(const MixedProblem& problem, const ModeSystem& system,
+                                             std::span<const std::size_t> linear) {
+  Effort effort(largest_elimination);
+  const std::vector<SparseVector> columns = linear_columns(problem, system, linear);
+  std::vector<const SparseVector*> all;
+  for (const SparseVector& column : columns) all.push_back(&column);
+  const SparseBasis whole(problem.size() + 1, all, effort);
+  std::vector<bool> drops(linear.size(), false), free(problem.size() + 1, false);
+  for (const std::size_t j : whole.dependent()) drops[j] = true;
+  for (const std::size_t i : whole.free_rows()) free[i] = true;
+  std::vector<std::uint32_t> place(problem.size() + 1, 0);
+  std::uint32_t rows = 0;
+  for (std::size_t i = 0; i < place.size(); ++i) place[i] = free[i] ? 0 : rows++;
+  const auto in_pivots = [&](const SparseVector& column) {
+    SparseVector own;
+    for (const auto& [i, value] : column) {
+      if (!free[i]) own.emplace_back(place[i], value);
+    }
+    return own;
+  };
+  std::vector<std::size_t> kept;
+  std::vector<SparseVector> square;
+  for (std::size_t j = 0; j < linear.size(); ++j) {
+    if (!drops[j]) kept.push_back(linear[j]), square.push_back(in_pivots(columns[j]));
+  }
+  all.clear();
+  for (const SparseVector& column : square) all.push_back(&column);
+  const SparseBasis basis(rows, all, effort);
+  std::vector<DroppedEquation> result;
+  for (const std::size_t j : whole.dependent()) {
+    effort.spend(20 * Work(rows));
+    std::vector<Rational> b(rows);
+    for (const auto& [i, value] : in_pivots(columns[j])) b[i] = value;
+    DroppedEquation& dropped = result.emplace_back(DroppedEquation{linear[j], {}});
+    const std::vector<Rational> parts = basis.solve(std::move(b));
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (!parts[i].is_zero()) dropped.combination.emplace_back(kept[i], parts[i]);
+    }
+  }
+  return result;
+}
+
+/// The unknowns beside which the equations are regular, by a sparse QR decomposition; nothing if there are none.
+std::optional<std::vector<std::size_t>> dependent_unknowns(const ModeSystem& system, std::span<const double> z,
+                                                           std::span<const std::size_t> equations,
+                                                           std::span<const std::size_t> unknowns) {
+  std::vector<int> place(system.size(), -1);
+  for (std::size_t j = 0; j < unknowns.size(); ++j) place[unknowns[j]] = static_cast<int>(j);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t i = 0; i < equations.size(); ++i) {
+    for (const auto& e : system.derivative(equations[i], z)) {
+      if (place[e.unknown] >= 0) entries.emplace_back(static_cast<int>(i), place[e.unknown], e.value);
+    }
+  }
+  Eigen::SparseMatrix<double> J(static_cast<Index>(equations.size()), static_cast<Index>(unknowns.size()));
+  J.setFromTriplets(entries.begin(), entries.end());
+  for (Index j = 0; j < J.cols(); ++j) {
+    const double norm = J.col(j).norm();
+    if (norm > 0) J.col(j) *= 1 / norm;
+  }
+  stop_if_asked();
+  Eigen::SparseQR<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>> qr;
+  qr.setPivotThreshold(1e-10);
+  qr.compute(J);
+  if (qr.info() != Eigen::Success || qr.rank() != J.rows()) return std::nullopt;
+  std::vector<std::size_t> result;
+  const auto& order = qr.colsPermutation().indices();
+  for (Index j = qr.rank(); j < J.cols(); ++j) result.push_back(unknowns[static_cast<std::size_t>(order[j])]);
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// exact_dependence() for a large block: exactly dependent equations first.
+DependenceResult sparse_dependence(const MixedProblem& problem, const ModeSystem& system, std::span<const double> z,
+                                   std::span<const std::size_t> equations, std::span<const std::size_t> unknowns) {
   DependenceResult result;
-  if (std::max(equations.size(), unknowns.size()) > largest_dependent) {
-    result.reason = "equations depend on each other, and there are too many of them to find out which exactly";
+  std::vector<std::size_t> linear;
+  for (const std::size_t e : equations) {
+    if (system.equations()[e].kind == ModeSystem::Kind::linear) linear.push_back(e);
+  }
+  try {
+    result.dropped = dropped_exactly(problem, system, linear);
+  } catch (const TooMuchWork&) {
     result.unknowns.assign(unknowns.begin(), unknowns.end());
+    result.reason =
+        "equations depend on each other, and to find out which exactly is too much work where contacts "
+        "have no round coordinates";
     return result;
   }
+  std::vector<bool> drops(system.size(), false);
+  for (const DroppedEquation& d : result.dropped) drops[d.equation] = true;
+  std::vector<std::size_t> kept;
+  for (const std::size_t e : equations) {
+    if (!drops[e]) kept.push_back(e);
+  }
+  auto open = dependent_unknowns(system, z, kept, unknowns);
+  if (open && !open->empty()) {
+    result.unknowns = std::move(*open);
+    return result;
+  }
+  result.unknowns.assign(unknowns.begin(), unknowns.end());
+  result.reason = "the forces of these contacts depend on each other, not exactly, but up to rounding";
+  return result;
+}
+
+}  // namespace
+
+DependenceResult exact_dependence(const MixedProblem& problem, const ModeSystem& system, std::span<const double> z,
+                                  std::span<const std::size_t> equations, std::span<const std::size_t> unknowns) {
+  if (std::max(equations.size(), unknowns.size()) > largest_dependent) {
+    return sparse_dependence(problem, system, z, equations, unknowns);
+  }
+  DependenceResult result;
   DependentPart part = dependent_part(system, z, equations, unknowns);
   result.unknowns = std::move(part.unknowns);
   for (const std::size_t i : part.equations) result.dropped.push_back({i, {}});

@@ -38,8 +38,10 @@ struct DependenceResult {
 /// Rigid bodies on many contacts leave forces undetermined: columns of the derivative depend on each other, and so do
 /// its rows, since u = 0 of one contact follows from u = 0 of others. Pivoting in floating point chooses which ones to
 /// keep among the `equations` and `unknowns` of a block. A proof that the others follow writes each as a rational
-/// combination, coefficient by coefficient and constants included. Cubic in the size of the block, for blocks up to
-/// `largest_dependent`.
+/// combination, coefficient by coefficient and constants included. Up to `largest_dependent` equations that is cubic in
+/// the size of the block. Of more, exact rows are eliminated in a sparse order (sparse_basis.hpp), which finds the
+/// dependent ones: near linear where bodies touch few others and coordinates are round. A sparse QR decomposition
+/// chooses the unknowns then.
 DependenceResult exact_dependence(const MixedProblem& problem, const ModeSystem& system, std::span<const double> z,
                                   std::span<const std::size_t> equations, std::span<const std::size_t> unknowns);
 inline constexpr std::size_t largest_dependent = 600;

@@ -8,6 +8,16 @@
 
 namespace slipproof {
 
+namespace {
+
+bool have_same_velocities(const FoundSolution& a, const FoundSolution& b) {
+  return std::ranges::equal(a.u, b.u, [](const Range& x, const Range& y) {
+    return x.lower && x.lower == x.upper && y.lower == x.lower && y.upper == x.lower;
+  });
+}
+
+}  // namespace
+
 bool AllSolutions::one() const {
   return complete() && solutions.size() == 1 && !solutions[0].is_family() && solutions[0].exists && solutions[0].alone;
 }
@@ -23,7 +33,20 @@ std::string AllSolutions::open_words() const {
 }
 
 bool AllSolutions::several_motions() const {
-  return solutions.size() > 1 || std::ranges::any_of(solutions, [](const auto& s) { return !s.others.empty(); });
+  if (dimension == 1 && families() > 0) return true;
+  const FoundSolution* first = nullptr;
+  for (const FoundSolution& s : solutions) {
+    if (!s.others.empty() || s.moves) return true;
+    if (!s.exists) continue;
+    if (first != nullptr && (dimension == 1 || !have_same_velocities(*first, s))) return true;
+    first = &s;
+  }
+  return false;
+}
+
+bool AllSolutions::one_motion() const {
+  const auto moves_alone = [](const FoundSolution& s) { return s.exists && s.one_motion; };
+  return complete() && !solutions.empty() && !several_motions() && std::ranges::all_of(solutions, moves_alone);
 }
 
 bool AllSolutions::are_points() const {
@@ -39,8 +62,7 @@ ContactVerdict AllSolutions::verdict(const FoundSolution* meant) const {
   if (meant == nullptr) return complete() ? ContactVerdict::wrong : ContactVerdict::undecided;
   if (!meant->exists) return ContactVerdict::undecided;
   if (one()) return ContactVerdict::unique;
-  const bool several = families() > 0 || std::ranges::count_if(solutions, &FoundSolution::exists) > 1;
-  return several ? ContactVerdict::ambiguous : ContactVerdict::solution_within_rho;
+  return several_motions() ? ContactVerdict::ambiguous : ContactVerdict::solution_within_rho;
 }
 
 std::vector<Range> points(const std::vector<Rational>& values) {

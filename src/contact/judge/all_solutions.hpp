@@ -30,6 +30,7 @@ struct FoundSolution {
   bool one_motion = true;           ///< and that all others there have its velocities
   bool alone = true;                ///< and that there are no others, but those of its family
   bool may_be_open = false;         ///< it is not known whether its forces are, though open_directions is 0
+  bool moves = false;               ///< of a family of a small problem: its velocities differ
 
   bool is_family() const { return open_directions > 0 || !others.empty(); }
 };
@@ -46,8 +47,11 @@ struct AllSolutions {
   /// What a search leaves that is not complete: `found 2, and 3 patterns stay open, the first stick/slip`.
   std::string open_words() const;
   bool one() const;
-  /// Whether two with different velocities are known.
+  /// Whether two with different velocities are known. With friction, those with the same ones are one motion, by other
+  /// forces; without it, in dimension 1, forces themselves are asked for.
   bool several_motions() const;
+  /// Whether it is proved that all are one motion.
+  bool one_motion() const;
   std::size_t families() const;
   /// Whether each is the only one where it is.
   bool are_points() const;

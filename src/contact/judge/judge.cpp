@@ -82,7 +82,7 @@ class ContactCase {
     const bool maybe = j_.undetermined > 0 || long_numbers || j_.verdict == ambiguous ||
                        j_.verdict == velocities_within_rho || (j_.verdict == eps_solution && !j_.contacts.empty());
     if (!maybe) return;
-    Effort effort(options_.effort);  // other searches may have left none
+    Effort effort(std::min(options_.effort, 25 * beyond_verdict()));
     extra("ranges of open forces", [&] { j_.open = open_forces(problem_, j_.x, options_.tolerance, effort); });
   }
 
@@ -163,10 +163,14 @@ class ContactCase {
     std::vector<std::vector<Rational>> others;
     for (const FoundSolution& s : found.all.solutions) others.push_back(values_of(s.r));
     std::ranges::rotate(others, others.begin() + static_cast<std::ptrdiff_t>(found.all.singles()));
-    if (!found.continua.empty()) {
-      for (auto& z : found.continua.front().two(effort_)) others.push_back(std::move(z));
+    for (const ContactContinuum& continuum : found.continua) {
+      for (auto& z : continuum.two(effort_)) others.push_back(std::move(z));
     }
-    const auto other = std::ranges::find_if(others, [&](const auto& z) { return z != nearest; });
+    j_.undetermined = found.all.solutions[*found.nearest].open_directions;
+    const ContactProblem& contacts = small.problem;
+    const auto motion = [&](const auto& z) { return contacts.frictional() ? accelerations(contacts, z) : z; };
+    const auto own = motion(nearest);
+    const auto other = std::ranges::find_if(others, [&](const auto& z) { return motion(z) != own; });
     if (other != others.end()) j_.other_exact = small.with_free(*other);
   }
 
@@ -232,7 +236,7 @@ class ContactCase {
   /// Where equations depend on each other up to rounding.
   void follow() {
     Effort effort(options_.effort);  // other searches may have left none
-    auto box = solve_along_path(problem_, j_.x, effort);
+    auto box = solve_along_path(problem_, j_.x, effort, answer_from_elsewhere);
     if (!box) return;
     j_.eta = velocity_distance(problem_, *box, j_.x);
     take(std::move(*box));

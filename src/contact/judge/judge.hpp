@@ -72,8 +72,10 @@ struct ContactJudgement {
 
   /// Whether a solution within rho is known.
   bool has_solution() const { return enclosure || !exact.empty() || (every && every->unique()); }
-  /// True if the answer is certified and it is proved that there is no other solution.
-  bool others_excluded() const { return verdict == ContactVerdict::unique; }
+  /// True if the answer is certified and it is proved that there is no other solution, or none with other velocities.
+  bool others_excluded() const {
+    return verdict == ContactVerdict::unique || (is_certified(verdict) && all && all->one_motion());
+  }
   /// Within which no solution is; 0 where nothing is known of it.
   double excluded() const { return std::max(exclusion ? exclusion->radius : 0, every ? every->apart : 0); }
 };

@@ -105,6 +105,12 @@ class SmallJudge {
     return few ? std::nullopt : solver_.all(effort_);
   }
 
+  bool moves(const ContactContinuum& c) const {
+    return std::ranges::any_of(c.directions, [&](const std::vector<Rational>& direction) {
+      return std::ranges::any_of(slope_of_w(direction), [](const Rational& slope) { return !slope.is_zero(); });
+    });
+  }
+
   /// The solution of a continuum that is nearest to the answer, measured by the largest error of a component.
   Compared nearest_member(const ContactContinuum& c) {
     Compared member = at_base(c);
@@ -165,6 +171,7 @@ class SmallJudge {
 
   void add(ContactContinuum c) {
     add({c.mode}, false, nearest_member(c), c.directions.size());
+    result_.all.solutions.back().moves = moves(c);
     result_.continua.push_back(std::move(c));
   }
 
@@ -192,7 +199,9 @@ class SmallJudge {
       return tell_own(outcome);
     }
     if (!open && is_unique_by_bound(problem_)) result_.unique_by = EveryLoad::Reason::bound;
-    accept(open ? ContactVerdict::ambiguous : result_.unique_by ? ContactVerdict::unique : ContactVerdict::undecided);
+    accept(result_.all.several_motions() ? ContactVerdict::ambiguous
+           : result_.unique_by           ? ContactVerdict::unique
+                                         : ContactVerdict::undecided);
   }
 
   void accept(ContactVerdict if_accurate) {

@@ -24,7 +24,8 @@ struct ProblemAnswer {
 };
 
 struct SmallJudgement {
-  /// unique, ambiguous, inaccurate, wrong, no_solution or undecided
+  /// unique, solution_within_rho (of several with the same velocities), ambiguous, inaccurate, wrong, no_solution or
+  /// undecided
   ContactVerdict verdict = ContactVerdict::undecided;
   /// Solutions of no family first. If trying all modes is beyond the effort, only those of the answer's mode.
   AllSolutions all;

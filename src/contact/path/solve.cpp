@@ -4,9 +4,11 @@
 #include <cmath>
 
 #include "base/number/binary64.hpp"
+#include "contact/enclosure/sizes.hpp"
 #include "contact/path/follow.hpp"
 #include "contact/path/long_box.hpp"
 #include "contact/problem/parts.hpp"
+#include "contact/problem/tolerance.hpp"
 
 namespace slipproof {
 
@@ -21,17 +23,43 @@ PathEnd end_at(const MixedProblem& part, const Enclosure& box) {
   return end;
 }
 
+/// Whether contacts have the same velocities, as two answers' forces give them.
+bool have_same_velocities(const MixedProblem& problem, std::span<const double> x, std::span<const double> y) {
+  const double near = contact_tolerance * contact_sizes(problem).velocity;
+  for (std::size_t i = problem.free; i < problem.size(); ++i) {
+    double moved = 0;
+    for (std::size_t e = problem.A.starts[i]; e < problem.A.starts[i + 1]; ++e) {
+      moved += problem.A.value[e] * (y[problem.A.column[e]] - x[problem.A.column[e]]);
+    }
+    if (!(std::abs(moved) <= near)) return false;
+  }
+  return true;
+}
+
 /// By an enclosure in binary64, or along a path.
-std::optional<PathEnd> solve_part(const MixedProblem& part, std::span<const double> x, Effort& effort) {
+std::optional<PathEnd> solve_part(const MixedProblem& part, std::span<const double> x, Effort& effort,
+                                  const OtherAnswers& elsewhere) {
   const auto found = enclose_solution(part, x);
   if (const auto* box = std::get_if<Enclosure>(&found)) return end_at(part, *box);
   if (part.size() > largest_on_path) return std::nullopt;
-  return follow_path(part, x, effort);
+  const auto leads_to_one = [&](const std::optional<PathEnd>& end) {
+    return end && (!elsewhere || enclose_in_long_numbers(part, *end, effort));
+  };
+  auto end = follow_path(part, x, effort);
+  if (!elsewhere) return end;
+  for (int i = 0; !leads_to_one(end); ++i) {
+    const std::vector<double> other = elsewhere(part, i);
+    if (other.empty()) return std::nullopt;
+    end.reset();
+    if (have_same_velocities(part, x, other)) end = follow_path(part, other, effort);
+  }
+  return end;
 }
 
 }  // namespace
 
-std::optional<Enclosure> solve_along_path(const MixedProblem& problem, std::span<const double> x, Effort& effort) {
+std::optional<Enclosure> solve_along_path(const MixedProblem& problem, std::span<const double> x, Effort& effort,
+                                          const OtherAnswers& elsewhere) {
   PathEnd whole{ConeMode(problem.contacts()), std::vector<Rational>(problem.size()),
                 std::vector<Rational>(problem.contacts())};
   for (const ContactPart& part : parts_of(problem)) {
@@ -39,7 +67,7 @@ std::optional<Enclosure> solve_along_path(const MixedProblem& problem, std::span
     const MixedProblem small = part_of(problem, part, rows);
     std::vector<double> start;
     for (const std::size_t i : rows) start.push_back(x[i]);
-    auto end = solve_part(small, start, effort);
+    auto end = solve_part(small, start, effort, elsewhere);
     if (!end) return std::nullopt;
     for (std::size_t i = 0; i < rows.size(); ++i) whole.x[rows[i]] = std::move(end->x[i]);
     for (std::size_t k = 0; k < part.contacts.size(); ++k) {

@@ -1,5 +1,7 @@
 #include "contact/problem/parts.hpp"
 
+#include <algorithm>
+
 #include "base/algebra/union_find.hpp"
 
 namespace slipproof {
@@ -28,8 +30,9 @@ std::vector<std::size_t> rows_of(const MixedProblem& problem, const ContactPart&
 }
 
 MixedProblem part_of(const MixedProblem& problem, const ContactPart& part, const std::vector<std::size_t>& rows) {
-  std::vector<std::uint32_t> place(problem.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) place[rows[i]] = static_cast<std::uint32_t>(i);
+  const auto place = [&](std::uint32_t column) {  // rows ascend
+    return static_cast<std::uint32_t>(std::ranges::lower_bound(rows, std::size_t{column}) - rows.begin());
+  };
   MixedProblem result;
   result.free = part.free.size();
   result.dimension = problem.dimension;
@@ -37,7 +40,7 @@ MixedProblem part_of(const MixedProblem& problem, const ContactPart& part, const
   result.A.rows = result.A.columns = rows.size();
   for (const std::size_t i : rows) {
     for (std::size_t e = problem.A.starts[i]; e < problem.A.starts[i + 1]; ++e) {
-      result.A.column.push_back(place[problem.A.column[e]]);
+      result.A.column.push_back(place(problem.A.column[e]));
       result.A.value.push_back(problem.A.value[e]);
     }
     result.A.starts.push_back(result.A.value.size());

@@ -118,6 +118,13 @@ JudgedAnswer judge_what_is_found(const JudgedProblem& problem, const ContactFile
   return result;
 }
 
+/// Whether a file has guesses only, and none of them is near a solution: then they are no answers.
+bool are_bad_guesses(const std::vector<JudgedAnswer>& answers) {
+  return !answers.empty() && std::ranges::all_of(answers, [](const JudgedAnswer& a) {
+    return a.origin.starts_with("/guesses/") && a.judgement.verdict == ContactVerdict::wrong;
+  });
+}
+
 Json counted_from_one(const std::vector<std::size_t>& contacts) {
   Json list = Json::array();
   for (const std::size_t k : contacts) list.push_back(k + 1);
@@ -164,6 +171,7 @@ void add_others(const ContactJudgement& j, Json& line) {
 /// Whether a solution that was found is the only one, and in what sense.
 Json uniqueness(const ContactJudgement& j) {
   if (j.verdict == ContactVerdict::unique) return "globally";
+  if (j.others_excluded()) return "velocities";
   return j.enclosure && j.enclosure->locally_unique ? Json("locally") : Json();
 }
 
@@ -213,6 +221,10 @@ JudgedProblem::JudgedProblem(std::string name, ReadProblem read, const ContactFi
     judge(*options.answer);
   } else {
     for (const SolverAnswer& answer : read.answers) judge(answer);
+    if (options.judge.refine && are_bad_guesses(answers)) {
+      JudgedAnswer found = judge_what_is_found(*this, options);
+      if (found.origin != "none") answers.insert(answers.begin(), std::move(found));
+    }
   }
   if (answers.empty())
     answers.push_back(judged_or_undecided("none", [&] { return judge_what_is_found(*this, options); }));

@@ -39,7 +39,8 @@ struct JudgedProblem {
   const JudgedAnswer& first() const { return answers.front(); }
 };
 
-/// Judges the given answer, or all in the problem's file. If there is none and judge.refine is set, searches for one.
+/// Judges the given answer, or all in the problem's file. If there is none but wrong guesses and judge.refine is set,
+/// searches for one, which is then the first.
 /// The result always has an answer: `undecided` if none is given or found.
 JudgedProblem judge_problem_file(std::string file, ReadProblem read, const ContactFileOptions& options);
 

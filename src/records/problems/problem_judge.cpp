@@ -46,7 +46,7 @@ class ProblemRecordWriter {
     }
     if (found.unique_by) details_["unique_by"] = name(*found.unique_by);
     if (found.own) add_own_mode(*found.own, details_);
-    if (all && result_.verdict != RecordVerdict::certified) add_solutions(found.all, details_);
+    if (all && (result_.verdict != RecordVerdict::certified || !found.all.one())) add_solutions(found.all, details_);
     if (all || found.unique_by || (found.own && found.own->claimed)) return;
     if (meant != nullptr) {
       details_["reason"] =

@@ -149,9 +149,10 @@ std::string verdict_words(const ContactJudgement& j, const ContactUnits& units) 
       return fmt::format("A solution is within {} of the answer, and there is another one elsewhere.",
                          in(j.rho, units.force));
     case ContactVerdict::solution_within_rho:
-      return fmt::format("An exact solution is within {} of the answer in each component{}; others are not excluded.",
+      return fmt::format("An exact solution is within {} of the answer in each component{}; {}.",
                          in(j.rho, units.force),
-                         j.enclosure && j.enclosure->locally_unique ? ", and near it there is no other" : "");
+                         j.enclosure && j.enclosure->locally_unique ? ", and near it there is no other" : "",
+                         j.others_excluded() ? "all solutions have its velocities" : "others are not excluded");
     case ContactVerdict::inaccurate:
       return fmt::format(
           "The answer is inaccurate: an exact solution is within {} of it in each component, an error of {}.",

@@ -38,8 +38,22 @@ TEST_CASE("the verdict on an answer follows from all solutions, and is undecided
   all.solutions[0].alone = false;
   CHECK(all.verdict(all.solutions.data()) == ContactVerdict::solution_within_rho);
   all.solutions[0] = solution(1, 1);
+  all.solutions[0].u = points({0, 1});
   all.solutions[0].open_directions = 1;
   CHECK(all.singles() == 0);
+  CHECK(all.verdict(all.solutions.data()) == ContactVerdict::solution_within_rho);  // one motion, by other forces
+  CHECK(all.one_motion());
+  CHECK_FALSE(all.one());
+  all.solutions[0].moves = true;
+  CHECK(all.verdict(all.solutions.data()) == ContactVerdict::ambiguous);
+  CHECK_FALSE(all.one_motion());
+  all.solutions[0].moves = false;
+  all.solutions.push_back(all.solutions[0]);
+  CHECK(all.verdict(all.solutions.data()) == ContactVerdict::solution_within_rho);
+  all.dimension = 1;  // there forces are asked for
+  CHECK(all.verdict(all.solutions.data()) == ContactVerdict::ambiguous);
+  all.dimension = 2;
+  all.solutions[1] = solution(2, 2);
   CHECK(all.verdict(all.solutions.data()) == ContactVerdict::ambiguous);
 }
 

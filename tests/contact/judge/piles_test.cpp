@@ -1,9 +1,11 @@
 // Stacks of boxes at rest: their forces are open, and a solver leaves some of them at the edge of their cones.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "contact/enclosure/dependence.hpp"
 #include "contact/judge/certificate.hpp"
 #include "contact/judge/find/find.hpp"
 #include "contact/judge/judge.hpp"
@@ -87,12 +89,13 @@ bool is_accepted(const MixedProblem& problem, const ContactJudgement& judgement)
 }  // namespace
 
 TEST_CASE("a stack at rest has a solution within rho, whatever its forces") {
-  for (const std::size_t boxes : {6U, 9U}) {  // fewer are small, and their forces make them ambiguous
+  for (const std::size_t boxes : {1U, 2U, 3U, 6U, 9U}) {  // of few all solutions are known
     const Stack stack(boxes, 2, 0);
     const ContactJudgement found = judge_contacts(stack.problem(), solved(stack.problem()), {}, {});
     CAPTURE(boxes);
-    CHECK(is_certified(found.verdict));
+    CHECK(found.verdict == ContactVerdict::solution_within_rho);
     CHECK(found.undetermined > 0);
+    CHECK(found.others_excluded() == (boxes < 4));
     CHECK(is_accepted(stack.problem(), found));
   }
 }
@@ -118,6 +121,18 @@ TEST_CASE("right answers to stacks in space are certified, with forces inside of
   }
 }
 
+TEST_CASE("a tall stack is certified, with more dependent equations than are found densely") {
+  constexpr std::size_t boxes = 90;
+  static_assert(7 * boxes > largest_dependent);
+  const Stack stack(boxes, 2, 0);
+  const ContactJudgement found = judge_contacts(stack.problem(), solved(stack.problem()), {}, {});
+  CHECK(found.verdict == ContactVerdict::solution_within_rho);
+  CHECK(found.undetermined == boxes);  // one of four forces between two boxes
+  REQUIRE(found.enclosure);
+  CHECK(found.enclosure->dropped.size() == boxes);
+  CHECK(is_accepted(stack.problem(), found));
+}
+
 TEST_CASE("a wrong answer to a stack is as wrong with little effort") {
   const Stack stack(3, 3, 1);
   std::vector<double> wrong = solved(stack.problem());
@@ -129,4 +144,47 @@ TEST_CASE("a wrong answer to a stack is as wrong with little effort") {
   // Pushed harder than friction holds it slides, and the answer of the stack at rest is wrong.
   const Stack pushed(3, 3, 6);
   CHECK(name(judge_contacts(pushed.problem(), solved(stack.problem()), {}, {}).verdict) == "wrong");
+}
+
+TEST_CASE("each part of a problem is swept as if it were alone") {
+  const Stack one(3, 3, 1), two(2, 3, 0);
+  const MixedProblem &a = one.problem(), &b = two.problem();
+  MixedProblem both;  // free unknowns of one, then of the other, then contacts
+  both.free = a.free + b.free;
+  std::vector<MatrixEntry> entries, twice;
+  const auto add = [&](const MixedProblem& own, std::size_t free_before, std::size_t forces_before) {
+    const auto place = [&](std::size_t i) {
+      return static_cast<std::uint32_t>(i < own.free ? free_before + i : both.free + forces_before + i - own.free);
+    };
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      for (std::size_t e = own.A.starts[i]; e < own.A.starts[i + 1]; ++e) {
+        entries.push_back({place(i), place(own.A.column[e]), own.A.value[e]});
+      }
+      both.c[place(i)] = own.c[i];
+    }
+    both.mu.insert(both.mu.end(), own.mu.begin(), own.mu.end());
+  };
+  both.c.assign(a.size() + b.size(), 0);
+  add(a, 0, 0);
+  add(b, a.free, a.size() - a.free);
+  both.A = sparse_matrix(both.size(), both.size(), entries, twice);
+  std::vector<double> alone = solved(a), other = solved(b), together = solved(both);
+  alone.erase(alone.begin(), alone.begin() + static_cast<std::ptrdiff_t>(a.free));
+  alone.insert(alone.end(), other.begin() + static_cast<std::ptrdiff_t>(b.free), other.end());
+  together.erase(together.begin(), together.begin() + static_cast<std::ptrdiff_t>(both.free));
+  CHECK(together == alone);
+}
+
+TEST_CASE("answers from elsewhere are right, and have other forces") {
+  const Stack stack(3, 3, 1);
+  const MixedProblem& p = stack.problem();
+  const std::vector<double> first = solved(p);
+  int number = 0;
+  for (std::vector<double> x; !(x = answer_from_elsewhere(p, number)).empty(); ++number) {
+    CHECK(residual(p, x, exact_rows(p, x)).backward_error() <= contact_tolerance);
+    double apart = 0;
+    for (std::size_t i = p.free; i < p.size(); ++i) apart = std::max(apart, std::abs(x[i] - first[i]));
+    CHECK(apart > 0.01);
+  }
+  CHECK(number == 3);
 }

@@ -194,9 +194,10 @@ TEST_CASE("open forces beside a contact in the air, and forces that move nothing
   REQUIRE(lines.size() == 4);
   CHECK(lines[0]["verdict"] == "solution within rho");
   CHECK(lines[0]["open_forces"]["directions"] == 3);
-  CHECK(lines[1]["verdict"] == "ambiguous");
+  CHECK(lines[1]["verdict"] == "solution within rho");
+  CHECK(lines[1]["unique"] == "velocities");
   CHECK(lines[1]["open_forces"]["directions"] == 2);
-  CHECK(lines[2]["verdict"] == "eps-solution");
+  CHECK(lines[2]["verdict"] == "velocities of a solution within rho");
   CHECK(lines[3]["verdict"] == "wrong");
 }
 

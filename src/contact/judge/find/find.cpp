@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -9,7 +10,9 @@
 #include "base/parallel/stop.hpp"
 #include "contact/enclosure/answer.hpp"
 #include "contact/enclosure/residual.hpp"
+#include "contact/enclosure/sizes.hpp"
 #include "contact/judge/find/sweeps.hpp"
+#include "contact/problem/parts.hpp"
 
 namespace slipproof {
 
@@ -113,6 +116,43 @@ std::optional<MixedProblem> delassus(const MixedProblem& problem, const FindOpti
   return result;
 }
 
+/// Other forces to begin from: contacts press without friction, with this part of the problem's force.
+constexpr std::array pressed{0.1, 1.0, 100.0};
+
+std::vector<double> pressed_by(const MixedProblem& problem, double part) {
+  const double size = contact_sizes(problem).force;
+  std::vector<double> x(problem.size(), 0);
+  for (std::size_t k = 0; k < problem.contacts(); ++k) x[problem.normal(k)] = part * size;
+  return x;
+}
+
+/// One part, from other forces where it does not converge: where these are redundant, sweeps may creep along them.
+std::vector<double> swept_from_anywhere(const MixedProblem& part, std::vector<double> r, int rounds) {
+  constexpr std::size_t few = 100;  // contacts
+  SweptForces first = swept(part, r, rounds);
+  if (first.agreed || part.contacts() > few) return std::move(first.r);
+  for (const double force : pressed) {
+    SweptForces next = swept(part, pressed_by(part, force), rounds);
+    if (next.agreed) return std::move(next.r);
+  }
+  return std::move(first.r);
+}
+
+/// Each part for itself: parts converge at their own pace, and Newton's method is cubic in their sizes.
+std::vector<double> swept_by_parts(const MixedProblem& contacts, std::vector<double> r, int rounds) {
+  const std::vector<ContactPart> parts = parts_of(contacts);
+  if (contacts.law.kind == FrictionLaw::fixed) return swept(contacts, r, rounds).r;
+  if (parts.size() == 1) return swept_from_anywhere(contacts, std::move(r), rounds);
+  for (const ContactPart& part : parts) {
+    const std::vector<std::size_t> rows = rows_of(contacts, part);
+    std::vector<double> own;
+    for (const std::size_t i : rows) own.push_back(r[i]);
+    own = swept_from_anywhere(part_of(contacts, part, rows), std::move(own), rounds);
+    for (std::size_t i = 0; i < rows.size(); ++i) r[rows[i]] = own[i];
+  }
+  return r;
+}
+
 std::vector<double> with_free(const MixedProblem& problem, const std::vector<double>& r) {
   std::vector<double> x(problem.free, 0);
   x.insert(x.end(), r.begin(), r.end());
@@ -141,9 +181,14 @@ std::vector<double> approximate_solution(const MixedProblem& problem, const Find
   std::vector<double> r(contacts.size(), 0);
   if (!options.start.empty())
     std::copy(options.start.begin() + static_cast<std::ptrdiff_t>(problem.free), options.start.end(), r.begin());
-  r = swept(contacts, std::move(r), options.rounds);
+  r = swept_by_parts(contacts, std::move(r), options.rounds);
   if (!std::ranges::all_of(r, [](double x) { return std::isfinite(x); })) return {};
   return with_free(problem, r);
+}
+
+std::vector<double> answer_from_elsewhere(const MixedProblem& problem, int number) {
+  if (number < 0 || number >= static_cast<int>(pressed.size())) return {};
+  return approximate_solution(problem, {.start = pressed_by(problem, pressed[static_cast<std::size_t>(number)])});
 }
 
 bool comes_near(const MixedProblem& problem, std::span<const double> start, double tolerance) {

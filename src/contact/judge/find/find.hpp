@@ -17,8 +17,13 @@ struct FindOptions {
 };
 
 /// A start for enclose_solution: by sweeps over the contacts and Newton's method (sweeps.hpp), with the Delassus
-/// matrix. Nothing is promised. Empty where the free rows cannot be eliminated or the problem is too large.
+/// matrix. Small parts that do not converge begin again with other forces. Nothing is promised. Empty where the free
+/// rows cannot be eliminated or the problem is too large.
 std::vector<double> approximate_solution(const MixedProblem& problem, const FindOptions& options = {});
+
+/// The same from forces that press all contacts, harder with each number; empty after the last one. Where forces are
+/// redundant, these are others with the same velocities.
+std::vector<double> answer_from_elsewhere(const MixedProblem& problem, int number);
 
 /// Whether this iteration comes near a solution from a start, to a backward error of the tolerance: then multipliers
 /// that exclude all solutions are hardly found.

@@ -281,27 +281,28 @@ struct Round {
 };
 
 template <int size>
-std::vector<double> swept_in(const MixedProblem& problem, const std::vector<double>& start, int rounds) {
+SweptForces swept_in(const MixedProblem& problem, const std::vector<double>& start, int rounds) {
   const Sweeps<size> sweeps(problem);
   const bool has_newton = problem.is_coulomb() && problem.size() <= ContactNewton::most;
   std::optional<ContactNewton> newton;  // made where sweeps alone do not suffice
   Eigen::VectorXd r = Eigen::Map<const Eigen::VectorXd>(start.data(), static_cast<Eigen::Index>(start.size()));
   constexpr int most_attempts = 4;
   constexpr std::array<std::size_t, 5> depths{10, 5, 20, 3, 40};
-  for (int i = 0; i < rounds; ++i) {
+  bool agreed = false;
+  for (int i = 0; i < rounds && !agreed; ++i) {
     const Round<size> round(sweeps, r, depths[static_cast<std::size_t>(i) % depths.size()], i % 2 == 0 ? 4 : 1.5);
     r = round.r;
-    if (round.agreed) break;
-    if (!has_newton || i >= most_attempts) continue;
+    agreed = round.agreed;
+    if (agreed || !has_newton || i >= most_attempts) continue;
     if (!newton) newton.emplace(problem);
-    if (newton->solve(r, i)) break;
+    agreed = newton->solve(r, i);
   }
-  return {r.data(), r.data() + r.size()};
+  return {{r.data(), r.data() + r.size()}, agreed};
 }
 
 }  // namespace
 
-std::vector<double> swept(const MixedProblem& problem, std::vector<double> r, int rounds) {
+SweptForces swept(const MixedProblem& problem, const std::vector<double>& r, int rounds) {
   switch (problem.dimension) {
     case 1:
       return swept_in<1>(problem, r, rounds);

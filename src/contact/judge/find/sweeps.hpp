@@ -16,6 +16,10 @@ namespace slipproof {
 ///
 /// `problem` has no free unknowns; `r` is the start. Ends after so many rounds, or when all contacts agree up to
 /// rounding. A sweep is linear in the entries of A.
-std::vector<double> swept(const MixedProblem& problem, std::vector<double> r, int rounds);
+struct SweptForces {
+  std::vector<double> r;
+  bool agreed = false;
+};
+SweptForces swept(const MixedProblem& problem, const std::vector<double>& r, int rounds);
 
 }  // namespace slipproof
