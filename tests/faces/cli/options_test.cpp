@@ -66,7 +66,7 @@ TEST_CASE("for an unknown command the nearest one is proposed") {
   CHECK(near.exit_code == 2);
   CHECK(near.out.empty());
   CHECK(near.err.find("unknown command 'slove': did you mean 'solve'?") != std::string::npos);
-  CHECK(run({"frobnicate"}).err.find("unknown command 'frobnicate': expected one of solve, rest, show, ") !=
+  CHECK(run({"frobnicate"}).err.find("unknown command 'frobnicate': expected one of solve, rest, impact, show, ") !=
         std::string::npos);
   CHECK(run({}).exit_code == 2);
   CHECK(run({"--version"}).exit_code == 0);
