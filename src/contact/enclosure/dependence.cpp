@@ -21,7 +21,8 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr Work largest_elimination = 2'000'000'000;  ///< of exact rows: about a second, far less where they are round
+/// Of exact rows, in proportion to their entries: round ones take far less.
+constexpr Work least_elimination = 1'000'000, elimination_of_entry = 1'000;
 
 MatrixXd derivative_of(const ModeSystem& system, std::span<const double> z, std::span<const std::size_t> equations,
                        std::span<const std::size_t> unknowns) {
@@ -134,8 +135,10 @@ std::vector<SparseVector> linear_columns(const MixedProblem& problem, const Mode
 /// The linear equations that are combinations of the others, with these. Throws TooMuchWork.
 std::vector<DroppedEquation> dropped_exactly(const MixedProblem& problem, const ModeSystem& system,
                                              std::span<const std::size_t> linear) {
-  Effort effort(largest_elimination);
   const std::vector<SparseVector> columns = linear_columns(problem, system, linear);
+  Work entries = 0;
+  for (const SparseVector& column : columns) entries += column.size();
+  Effort effort(least_elimination + elimination_of_entry * entries);
   std::vector<const SparseVector*> all;
   for (const SparseVector& column : columns) all.push_back(&column);
   const SparseBasis whole(problem.size() + 1, all, effort);
