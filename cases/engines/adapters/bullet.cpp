@@ -3,7 +3,7 @@
 // pushes is added to the velocities before the step: Bullet's friction does not see a couple that is applied in the
 // same step. With the argument `applied` it is applied as force and couple, as programs do. With `taken-back` the
 // friction of contacts whose normal impulse fell to 0 is taken back after each sweep, which Bullet does not do: a test
-// of whose mistake it is.
+// of whose mistake it is. With `two` contacts have two directions of friction, not one as by default.
 #include <btBulletDynamicsCommon.h>
 
 #include <memory>
@@ -52,9 +52,10 @@ class TakingBack : public btSequentialImpulseConstraintSolver {
 
 class Scene {
  public:
-  Scene(const Question& q, bool applied, bool taken_back)
+  Scene(const Question& q, bool applied, bool taken_back, bool two_directions)
       : q_(q),
         applied_(applied),
+        two_directions_(two_directions),
         solver_(taken_back ? std::make_unique<TakingBack>() : std::make_unique<btSequentialImpulseConstraintSolver>()) {
     world_.setGravity(applied ? vec(q.gravity) : btVector3(0, 0, 0));
     for (const Body& body : q.bodies) add(body);
@@ -72,6 +73,7 @@ class Scene {
 
   Answer step() {
     btContactSolverInfo& info = world_.getSolverInfo();
+    if (two_directions_) info.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
     if (q_.iterations > 0) info.m_numIterations = q_.iterations, info.m_leastSquaresResidualThreshold = 0;
     Answer answer;
     answer.settings["iterations"] = info.m_numIterations;
@@ -237,7 +239,7 @@ class Scene {
   }
 
   const Question& q_;
-  const bool applied_;
+  const bool applied_, two_directions_;
   btSphereShape shape_{1};
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_{&configuration_};
@@ -249,19 +251,25 @@ class Scene {
   std::vector<btPersistentManifold*> manifolds_;
 };
 
+std::string law_in_space(bool applied, bool two) {
+  if (two) {
+    return "two directions of friction at each contact, that in which it slips freely and the one across, cut to the "
+           "cone, by sweeps; the first step from rest";
+  }
+  return std::string("one direction of friction at each contact, ") +
+         (applied ? "by sweeps, where friction does not see couples" : "that in which it slips freely, by sweeps") +
+         "; the first step from rest";
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const std::string how = argc > 1 ? argv[1] : "";
-  const bool applied = how == "applied", taken_back = how == "taken-back";
+  const bool applied = how == "applied", taken_back = how == "taken-back", two = how == "two";
   const int version = btGetVersion();
   return run(
       {how.empty() ? "bullet" : "bullet-" + how, std::to_string(version / 100) + "." + std::to_string(version % 100),
        applied ? "cone in the plane, by sweeps, where friction does not see couples; the first step from rest"
                : "cone in the plane, by sweeps; the first step from rest",
-       [=](const Question& q) { return Scene(q, applied, taken_back).step(); },
-       applied ? "one direction of friction at each contact, by sweeps, where friction does not see couples; the "
-                 "first step from rest"
-               : "one direction of friction at each contact, that in which it slips freely, by sweeps; the first "
-                 "step from rest"});
+       [=](const Question& q) { return Scene(q, applied, taken_back, two).step(); }, law_in_space(applied, two)});
 }

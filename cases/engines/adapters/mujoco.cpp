@@ -207,13 +207,15 @@ Answer ask(const Question& q) {
   tell(q, m, d, answer);
   if (q.drifts && q.in_space) {
     model->opt.timestep = q.step;
-    mj_step(&m, &d);
-    watch_drift(
-        q, answer, [&] { mj_step(&m, &d); },
-        [&](std::size_t i) {
-          const mjtNum* at = d.xpos + 3 * mj_name2id(&m, mjOBJ_BODY, std::to_string(i).c_str());
-          return Vector{at[0], at[1], at[2]};
-        });
+    const auto step = [&] {
+      mj_step(&m, &d);
+      mj_kinematics(&m, &d);  // where bodies are after it, not before
+    };
+    step();
+    watch_drift(q, answer, step, [&](std::size_t i) {
+      const mjtNum* at = d.xpos + 3 * mj_name2id(&m, mjOBJ_BODY, std::to_string(i).c_str());
+      return Vector{at[0], at[1], at[2]};
+    });
   }
   return answer;
 }

@@ -36,7 +36,7 @@ class Engine:
         """Whether it is asked such a scene at all."""
         if self.shapes:
             return scene.in_space and scene.on_floor()
-        return not (scene.in_space and self.given.get("plane"))
+        return not self.given.get("plane" if scene.in_space else "space")
 
     def prepare(self, folder):
         """Builds the adapter in a folder, where the packages of npm are, too. Raises NotAsked."""

@@ -23,9 +23,9 @@ class Scene:
     @property
     def rests(self):
         """Whether rest is its one motion, in space."""
-        motions = self.expected["motions"] if self.expected else []
-        return self.in_space and self.expected["can_rest"] is True and len(motions) == 1 and all(
-            value.get("double", 0) == 0 for value in motions[0]["accelerations"].values())
+        if not (self.in_space and self.expected and self.expected["can_rest"] and self.expected["how_many"] == "one"):
+            return False
+        return all(value.get("double", 0) == 0 for value in self.expected["motions"][0]["accelerations"].values())
 
     def on_floor(self):
         """Whether it is one body on a level floor, with shapes that engines have."""

@@ -187,6 +187,23 @@ class Scenes(unittest.TestCase):
             for value, expected in zip(row, given):
                 self.assertAlmostEqual(value, expected, 12)
 
+    def test_whole_shapes_are_those_of_one_body_on_the_floor(self):
+        turned, tower = (self.scenes[f"space-{name}"] for name in ("cone/cube-turned-37", "stand/two-cubes-0-0-0"))
+        shape = turned.question(None, shapes=True)["ask"]["world"]["shapes"][0]
+        self.assertEqual(shape["box"], [0.2, 0.2, 0.2])
+        for value, expected in zip(shape["turn"], (3 / math.sqrt(10), 0, 0, 1 / math.sqrt(10))):  # half of tan = 3/4
+            self.assertAlmostEqual(value, expected, 12)
+        self.assertTrue(turned.on_floor())
+        self.assertFalse(tower.on_floor())
+        self.assertFalse(self.scenes["space-several/leaning-rod-1-1"].on_floor())  # it has no shape
+
+    def test_what_creeps_is_asked_where_rest_is_the_one_motion(self):
+        asked = [name for name, scene in self.scenes.items() if scene.rests]
+        self.assertIn("space-slope/tripod-on-slope", asked)
+        self.assertNotIn("space-several/jammed-ball-12-1-0", asked)  # it comes out as well
+        self.assertNotIn("space-rolling/ball-rolls-0-0-3-4-0", asked)  # it moves on
+        self.assertGreater(len(asked), 40)
+
     def test_in_space_what_no_first_step_can_say_is_refused(self):
         scene = self.scenes["space-rolling/tripod-spins-10-1-0"].bodies()
         WorldInSpace(scene).built()
