@@ -28,45 +28,16 @@ class BodyContactReader : public BodyParts {
 
  private:
   void read_contact(const TomlValue& value) {
-    static constexpr std::array<std::string_view, 18> in_plane{"name",
-                                                               "of",
-                                                               "point",
-                                                               "radius",
-                                                               "on",
-                                                               "normal",
-                                                               "through",
-                                                               "friction",
-                                                               "on_point",
-                                                               "on_radius",
-                                                               "bilateral",
-                                                               "lift_needs",
-                                                               "state",
-                                                               "slip_direction",
-                                                               "rolling_resistance",
-                                                               "names",
-                                                               "restitution",
-                                                               "tangential_restitution"};
-    static constexpr std::array<std::string_view, 17> spatial{"name",
-                                                              "of",
-                                                              "point",
-                                                              "radius",
-                                                              "on",
-                                                              "normal",
-                                                              "through",
-                                                              "friction",
-                                                              "on_point",
-                                                              "on_radius",
-                                                              "bilateral",
-                                                              "lift_needs",
-                                                              "state",
-                                                              "tangent",
-                                                              "names",
-                                                              "restitution",
-                                                              "tangential_restitution"};
+    std::vector<std::string_view> keys{
+        "name",     "of",        "point",     "radius",     "on",    "normal", "through",     "friction",
+        "on_point", "on_radius", "bilateral", "lift_needs", "state", "names",  "restitution", "tangential_restitution"};
+    if (in_space()) {
+      keys.emplace_back("tangent");
+    } else {
+      keys.insert(keys.end(), {"slip_direction", "rolling_resistance"});
+    }
     static constexpr std::array<std::string_view, 5> names_in_plane{"N", "S", "gap", "slip", "rolling"};
     static constexpr std::array<std::string_view, 6> names_in_space{"N", "T1", "T2", "gap", "slip", "slip2"};
-    const std::span<const std::string_view> keys =
-        in_space() ? std::span<const std::string_view>(spatial) : std::span<const std::string_view>(in_plane);
     const bool by_equations = value.find("gap") != nullptr || value.find("slip") != nullptr;
     const TableReader table(value, by_equations ? "[[contact]] of a file with [[body]]" : "[[contact]]", keys,
                             context_.mistakes);
