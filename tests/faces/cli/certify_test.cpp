@@ -284,7 +284,7 @@ TEST_CASE("contact problems need no scene; their exit codes are those of scenes,
   CHECK(certify(undecided + R"({"M":[[2]],"q":[-1],"z":[1]})" + "\n").exit_code == 1);
   const auto shipped = run({"certify", SLIPPROOF_SOURCE_DIR "/cases/contact-problems/examples.jsonl"});
   CHECK(shipped.exit_code == 1);
-  CHECK(last_line(shipped.out) == "s NOT CERTIFIED 2/10\n");
+  CHECK(last_line(shipped.out) == "s NOT CERTIFIED 3/10\n");
 }
 
 TEST_CASE("standard input is answered line by line, and its format is known by its first byte") {
