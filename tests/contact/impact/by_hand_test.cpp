@@ -229,7 +229,8 @@ normal = ["0", "1"]
   CHECK(says("-1", "").find("missing restitution") != std::string::npos);
   CHECK(says("-1", "restitution = \"-1/4\"\n").find("test.toml:14:16: contact floor: restitution: found -1/4") !=
         std::string::npos);
-  CHECK(says("-1", "restitution = \"2\"\n").find("one above 1 (1 less it is -1), expected 0 to 1") != std::string::npos);
+  CHECK(says("-1", "restitution = \"2\"\n").find("one above 1 (1 less it is -1), expected 0 to 1") !=
+        std::string::npos);
   CHECK(says("0", "restitution = \"1\"\n").find("found no contact that approaches") != std::string::npos);
   CHECK(says("1", "restitution = \"1\"\n").find("found no contact that approaches") != std::string::npos);
 }
