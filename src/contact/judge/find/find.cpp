@@ -127,27 +127,27 @@ std::vector<double> pressed_by(const MixedProblem& problem, double part) {
 }
 
 /// One part, from other forces where it does not converge: where these are redundant, sweeps may creep along them.
-std::vector<double> swept_from_anywhere(const MixedProblem& part, std::vector<double> r, int rounds) {
+std::vector<double> swept_from_anywhere(const MixedProblem& part, std::vector<double> r, const FindOptions& options) {
   constexpr std::size_t few = 100;  // contacts
-  SweptForces first = swept(part, r, rounds);
-  if (first.agreed || part.contacts() > few) return std::move(first.r);
+  SweptForces first = swept(part, r, options.rounds);
+  if (first.agreed || !options.elsewhere || part.contacts() > few) return std::move(first.r);
   for (const double force : pressed) {
-    SweptForces next = swept(part, pressed_by(part, force), rounds);
+    SweptForces next = swept(part, pressed_by(part, force), options.rounds);
     if (next.agreed) return std::move(next.r);
   }
   return std::move(first.r);
 }
 
 /// Each part for itself: parts converge at their own pace, and Newton's method is cubic in their sizes.
-std::vector<double> swept_by_parts(const MixedProblem& contacts, std::vector<double> r, int rounds) {
+std::vector<double> swept_by_parts(const MixedProblem& contacts, std::vector<double> r, const FindOptions& options) {
   const std::vector<ContactPart> parts = parts_of(contacts);
-  if (contacts.law.kind == FrictionLaw::fixed) return swept(contacts, r, rounds).r;
-  if (parts.size() == 1) return swept_from_anywhere(contacts, std::move(r), rounds);
+  if (contacts.law.kind == FrictionLaw::fixed) return swept(contacts, r, options.rounds).r;
+  if (parts.size() == 1) return swept_from_anywhere(contacts, std::move(r), options);
   for (const ContactPart& part : parts) {
     const std::vector<std::size_t> rows = rows_of(contacts, part);
     std::vector<double> own;
     for (const std::size_t i : rows) own.push_back(r[i]);
-    own = swept_from_anywhere(part_of(contacts, part, rows), std::move(own), rounds);
+    own = swept_from_anywhere(part_of(contacts, part, rows), std::move(own), options);
     for (std::size_t i = 0; i < rows.size(); ++i) r[rows[i]] = own[i];
   }
   return r;
@@ -181,7 +181,7 @@ std::vector<double> approximate_solution(const MixedProblem& problem, const Find
   std::vector<double> r(contacts.size(), 0);
   if (!options.start.empty())
     std::copy(options.start.begin() + static_cast<std::ptrdiff_t>(problem.free), options.start.end(), r.begin());
-  r = swept_by_parts(contacts, std::move(r), options.rounds);
+  r = swept_by_parts(contacts, std::move(r), options);
   if (!std::ranges::all_of(r, [](double x) { return std::isfinite(x); })) return {};
   return with_free(problem, r);
 }
@@ -192,7 +192,8 @@ std::vector<double> answer_from_elsewhere(const MixedProblem& problem, int numbe
 }
 
 bool comes_near(const MixedProblem& problem, std::span<const double> start, double tolerance) {
-  const std::vector<double> x = approximate_solution(problem, {.start = {start.begin(), start.end()}});
+  const std::vector<double> x =
+      approximate_solution(problem, {.start = {start.begin(), start.end()}, .elsewhere = false});
   const bool finite = std::ranges::all_of(x, [](double value) { return std::isfinite(value); });
   return x.size() == problem.size() && finite &&
          residual(problem, x, exact_rows(problem, x)).backward_error() <= tolerance;

@@ -14,11 +14,11 @@ struct FindOptions {
   std::size_t most_entries = 20'000'000;  ///< largest number of entries of the Delassus matrix
   std::size_t neighbours = 200;           ///< modes that are tried around a solution
   std::vector<double> start = {};         ///< initial x, of the problem's size; empty: no forces
+  bool elsewhere = true;                  ///< small parts that do not converge begin again with other forces
 };
 
 /// A start for enclose_solution: by sweeps over the contacts and Newton's method (sweeps.hpp), with the Delassus
-/// matrix. Small parts that do not converge begin again with other forces. Nothing is promised. Empty where the free
-/// rows cannot be eliminated or the problem is too large.
+/// matrix. Nothing is promised. Empty where the free rows cannot be eliminated or the problem is too large.
 std::vector<double> approximate_solution(const MixedProblem& problem, const FindOptions& options = {});
 
 /// The same from forces that press all contacts, harder with each number; empty after the last one. Where forces are
