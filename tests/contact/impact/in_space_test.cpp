@@ -73,7 +73,9 @@ TEST_CASE("on a slippery floor it slides on in the direction in which it slid") 
 TEST_CASE("a tangential restitution throws a super ball back in space") {
   const SolvedImpact ball = thrown_ball("2", "tangential_restitution = \"1\"\n");
   CHECK(after(ball, "vx") == Rational(3, 7));
+  CHECK(after(ball, "vy") == Rational(6, 7));
   CHECK(after(ball, "slip_floor") == 0);  // the law's own slip: after + before
+  CHECK(after(ball, "omegax") == Rational(-20, 7));
   CHECK(after(ball, "omegay") == Rational(10, 7));
 }
 
