@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/input/diagnostic.hpp"
+#include "contact/judge/all_solutions.hpp"
 #include "contact/space/solve_space.hpp"
 #include "mechanics/scene/solve_mechanism.hpp"
 
@@ -33,9 +34,7 @@ class Before {
     result.driven =
         std::ranges::any_of(impact.prescribed, [&](const Expression& one) { return !number(one).is_zero(); });
     read_masses();
-    std::vector<Range> points;
-    for (const Rational& velocity : result.velocities) points.push_back({velocity, velocity});
-    result.energy = *energy(points).lower;
+    result.energy = *energy(points(result.velocities)).lower;
   }
 
   /// Half of v M v. Exact for points; otherwise a range that holds it.
@@ -113,7 +112,7 @@ void add_outcomes(const MotionsAtLoad& found, std::vector<ImpactOutcome>& outcom
     add_modes(outcome, motion.modes);
     add_modes(outcome, motion.boundary_modes);
     outcome.strict = motion.strict();
-    for (const Rational& value : motion.accelerations) outcome.motion.push_back({value, value});
+    outcome.motion = points(motion.accelerations);
     outcome.impulses = optional_ranges(motion.forces);
     outcomes.push_back(std::move(outcome));
   }
