@@ -23,7 +23,7 @@ write_cc() {
     -nostdlib -Wl,--no-entry,--allow-undefined \"\$@\"" >"$cc"
   chmod +x "$cc"
 }
-# FLINT's headers, which take longer than most of its files, are compiled once.
+# FLINT's headers, which take longer than most of its files, are compiled once, but for files that define what these look at.
 compile() {  # FILE...
   local flags=("-I$folder/sources/flint" "-I$folder/installed/include") header
   if [[ ! -e $folder/flint.pch ]]; then
@@ -33,7 +33,9 @@ compile() {  # FILE...
     "$cc" "${flags[@]}" -x c-header "$folder/flint_headers.h" -o "$folder/flint.part.pch"
     mv "$folder/flint.part.pch" "$folder/flint.pch"
   fi
-  printf '%s\0' "$@" | xargs -0 -n 20 -P "$jobs" "$cc" "${flags[@]}" -include-pch "$folder/flint.pch" -c
+  local own='undef ulong|_INLINES_C'
+  grep -LZE "$own" "$@" | xargs -0 -r -n 20 -P "$jobs" "$cc" "${flags[@]}" -include-pch "$folder/flint.pch" -c
+  grep -lZE "$own" "$@" | xargs -0 -r -n 20 -P "$jobs" "$cc" "${flags[@]}" -c
 }
 background=()
 in_parallel() {  # COMMAND...: in the background, at most $jobs at once; then wait_for_all

@@ -16,13 +16,14 @@ const pasting = (() => {
     undecided: () => 'A verdict would take more work than the page allows.',
   };
 
-  const near = text => typeof text !== 'string' || !text.includes('/') ? text : `${text} ≈ ${fraction(text).querySelector('small')?.textContent.slice(2) ?? ''}`;
-  const listed = value => Array.isArray(value) ? `[${value.map(listed).join(', ')}]` : value ?? '∞';
+  // A long fraction as a decimal; it stands in full in what certify prints.
+  const short = text => text.length > 20 ? fraction(text).querySelector('small')?.textContent ?? shortened(text) : text;
+  const listed = value => Array.isArray(value) ? `[${value.map(listed).join(', ')}]` : value === null ? '∞' : short(String(value));
 
   function reasons(line) {
     const mode = line.claimed ?? line.looks_like;
     const of = mode ? `${line.claimed ? 'It claims' : 'It looks like'} ${mode}` : '';
-    const because = line.violated ? `${line.violated} is violated, by ${near(line.margin)}`
+    const because = line.violated ? `${line.violated} is violated, by ${short(line.margin)}`
       : line.because ? `these exclude each other: ${line.because.join(', ')}` : line.reason ?? '';
     const error = line.max_relative_error ? `largest relative error ${line.max_relative_error}${line.worst ? `, of ${line.worst}` : ''}` : '';
     return [[of, because].filter(Boolean).join('; '), error].filter(Boolean);

@@ -8,11 +8,13 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
 
 #include "base/input/diagnostic.hpp"
+#include "base/number/parse.hpp"
 #include "contact/problem/every_push.hpp"
 #include "contact/space/solve_space.hpp"
 #include "mechanics/reading/read_mechanism.hpp"
@@ -159,12 +161,18 @@ TEST_CASE("pasted answers are judged as certify judges them") {
   std::size_t count = 0;
   for (std::string line; std::getline(problems, line); ++count) alike(line, false);
   CHECK(count == 10);
-  const AnswerJson records = alike(
-      "mode,a,S2,S3,N2,N3\n"
-      "stick/stick,2.9727272727272727,3.1213636363636363,-0.14863636363636363,9.642784090909091,0.16721590909090908\n"
-      ",3,3.05,-0.05,9.75,0.06\n"
-      "stick/stick,2.9727272727272727,nan,0,9.642784090909091,0\n",
-      true);
+  // The first motion, the same with another a, and with NaN.
+  const AnswerJson motion = answer(explorer, AnswerJson::object())["solve"]["motions"][0];
+  std::string names, right, wrong, broken;
+  for (const char* kind : {"accelerations", "forces"}) {
+    for (const auto& [symbol, value] : motion[kind].items()) {
+      std::ostringstream number;
+      number << std::setprecision(17) << parse_rational(value.get<std::string>()).to_double() << ',';
+      names += symbol + ",", right += number.str();
+      wrong += symbol == "a" ? "1," : number.str(), broken += symbol == "a" ? "nan," : number.str();
+    }
+  }
+  const AnswerJson records = alike(names + "mode\n" + right + "\n" + wrong + "\n" + broken + "\n", true);
   CHECK(records[0]["verdict"] == "ambiguous");
   CHECK(records[1]["verdict"] == "wrong");
   CHECK(records[2]["verdict"] == "invalid");
