@@ -19,6 +19,7 @@ struct MechanismGeometry {
     double radius = 0;  ///< of a turn, clockwise if negative
     std::string text;
     bool thin = false;
+    std::optional<std::size_t> body = std::nullopt;  ///< that it moves with, among the scene's
   };
   struct Contact {
     std::size_t index;  ///< among the mechanism's contacts

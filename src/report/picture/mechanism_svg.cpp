@@ -20,6 +20,7 @@
 #include "report/picture/mechanism_geometry.hpp"
 #include "report/picture/motion_words.hpp"
 #include "report/picture/polyline.hpp"
+#include "report/picture/velocities/body_movements.hpp"
 
 namespace slipproof {
 
@@ -42,6 +43,9 @@ class MechanismDrawing {
         geometry_(geometry_of(scene, motion == nullptr)),
         frame_(svg) {
     fit();
+    const auto has_body = [](const auto& outline) { return outline.body.has_value(); };
+    if (look.movable && motion != nullptr && std::ranges::all_of(geometry_.outlines, has_body))
+      movements_ = body_movements(scene, *motion);
   }
 
   void draw() {
@@ -130,10 +134,10 @@ class MechanismDrawing {
   void see(const LabelBox& box) { frame_.see(box); }
   void see(Point p) { frame_.see(p); }
 
-  void line(Point from, Point to, std::string_view css, double weight) {
-    svg_.add("line", css).set("x1", from[0]).set("y1", from[1]).set("x2", to[0]).set("y2", to[1]);
+  Element line(Point from, Point to, std::string_view css, double weight) {
     labels_.avoid(from, to, weight);
     see(from), see(to);
+    return svg_.add("line", css).set("x1", from[0]).set("y1", from[1]).set("x2", to[0]).set("y2", to[1]);
   }
 
   /// Draws the contact, and the surface that the body touches as a line perpendicular to N; in a motion that opens the
@@ -142,7 +146,11 @@ class MechanismDrawing {
     const Point at = view_.pixel(contact.at), across{contact.normal[1], -contact.normal[0]};
     const Point below = moved(at, contact.normal, lifts(contact) ? -opening : 0);
     const double reach = lettered() ? std::min(surface, 0.45 * closest()) : surface;
-    if (has_direction(contact)) line(moved(below, across, -reach), moved(below, across, reach), "frame", 1.5);
+    if (has_direction(contact)) {
+      const Element drawn = line(moved(below, across, -reach), moved(below, across, reach), "frame", 1.5);
+      if (lifts(contact) && !movements_.empty())
+        drawn.set("data-opens", fmt::format("{:.2f} {:.2f}", below[0] - at[0], below[1] - at[1]));
+    }
     svg_.add("circle", lifts(contact) ? "paper frame" : "ink").set("cx", at[0]).set("cy", at[1]).set("r", 3);
     labels_.avoid(LabelBox{at[0] - 4, at[1] - 4, at[0] + 4, at[1] + 4});
   }
@@ -161,18 +169,21 @@ class MechanismDrawing {
     for (const Point& p : outline.points) pixels.push_back({view_.pixel(p)[0], view_.pixel(p)[1]});
     switch (outline.kind) {
       case ShapeKind::polygon:
-        svg_.add("path", css).set("d", closed_path_of(pixels));
+        moving(outline, svg_.add("path", css).set("d", closed_path_of(pixels)));
         pixels.push_back(pixels.front());
         break;
       case ShapeKind::line:
-        svg_.add("path", css).set("d", path_of(pixels));
+        moving(outline, svg_.add("path", css).set("d", path_of(pixels)));
         break;
       case ShapeKind::circle:
-        svg_.add("circle", css).set("cx", pixels[0].x).set("cy", pixels[0].y).set("r", view_.scale * outline.radius);
+        moving(outline, svg_.add("circle", css)
+                            .set("cx", pixels[0].x)
+                            .set("cy", pixels[0].y)
+                            .set("r", view_.scale * outline.radius));
         pixels = round(pixels[0], view_.scale * outline.radius);
         break;
       case ShapeKind::point:
-        svg_.add("circle", "ink").set("cx", pixels[0].x).set("cy", pixels[0].y).set("r", 2.5);
+        moving(outline, svg_.add("circle", "ink").set("cx", pixels[0].x).set("cy", pixels[0].y).set("r", 2.5));
         break;
       case ShapeKind::measure: {
         std::vector<Point> places;
@@ -189,6 +200,21 @@ class MechanismDrawing {
     for (std::size_t i = 1; i < pixels.size(); ++i) {
       labels_.avoid({pixels[i - 1].x, pixels[i - 1].y}, {pixels[i].x, pixels[i].y}, 2.5);
     }
+  }
+  /// Says of a part how its body moves.
+  void moving(const MechanismGeometry::Outline& outline, const Element& part) const {
+    if (movements_.empty()) return;
+    const BodyMovement& body = movements_[*outline.body];
+    const double cosine = std::cos(geometry_.turned), sine = std::sin(geometry_.turned);
+    const auto turned = [&](Point p) { return Point{p[0] * cosine - p[1] * sine, p[0] * sine + p[1] * cosine}; };
+    const Point about = view_.pixel(turned(body.at));
+    const auto rate = [&](Point along, double turn) {
+      along = turned(along);
+      return fmt::format("{:.6g} {:.6g} {:.6g}", view_.scale * along[0], -view_.scale * along[1], -turn);
+    };
+    part.set("data-about", fmt::format("{:.2f} {:.2f}", about[0], about[1]))
+        .set("data-velocity", rate(body.velocity, body.spin))
+        .set("data-acceleration", rate(body.acceleration, body.turning));
   }
   static std::vector<Pixel> round(Pixel centre, double radius) {
     constexpr int sides = 24;
@@ -242,6 +268,7 @@ class MechanismDrawing {
   const CommonLook& look_;
   const NumberWords numbers_;
   const MechanismGeometry geometry_;
+  std::vector<BodyMovement> movements_;  ///< of bodies, if parts say how they move
   PictureView view_;
   PictureFrame frame_;
   PictureLabels labels_;
