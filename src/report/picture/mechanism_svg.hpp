@@ -22,6 +22,7 @@ struct CommonLook {
   double largest_force = 0;            ///< the one with the longest arrow; 0: the largest of the picture
   bool brief = false;                  ///< leaves out what is listed below the drawing
   bool is_virtual = false;             ///< velocities are those of a virtual motion, and dotted
+  bool animated = false;               ///< outlines go on for half a second of the motion's accelerations
 };
 
 /// The largest force of a motion that has an arrow.
