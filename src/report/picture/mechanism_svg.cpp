@@ -21,6 +21,8 @@
 #include "report/picture/motion_words.hpp"
 #include "report/picture/polyline.hpp"
 #include "report/picture/velocities/body_movements.hpp"
+#include "report/picture/velocities/motion_ahead.hpp"
+#include "report/picture/velocities/moving_outlines.hpp"
 
 namespace slipproof {
 
@@ -51,6 +53,7 @@ class MechanismDrawing {
   void draw() {
     for (const MechanismGeometry::Contact& contact : geometry_.contacts) this->contact(contact);
     for (const MechanismGeometry::Outline& outline : geometry_.outlines) this->outline(outline);
+    if (look_.animated && motion_ != nullptr) go_ahead();
     const double apart = lettered() ? 0.8 * closest() : longest_force;
     MechanismArrows arrows(svg_,
                            {scene_, motion_, geometry_, numbers_, view_, std::clamp(apart, 12.0, longest_force),
@@ -226,6 +229,22 @@ class MechanismDrawing {
     return points;
   }
 
+  /// What moves farther than the picture is wide leaves it.
+  void go_ahead() {
+    constexpr double farthest = 150;
+    const auto frames = outlines_ahead(scene_, *motion_);
+    add_moving_outlines(svg_, frames, seconds_ahead, view_.scale, [this](Point p) { return view_.pixel(p); });
+    const LabelBox now = frame_.drawn();
+    for (const MechanismGeometry::Outline& outline : frames.back()) {
+      for (const Point& point : outline.points) {
+        const Point p = view_.pixel(point);
+        const double r = outline.kind == ShapeKind::circle ? view_.scale * outline.radius : 0;
+        see(LabelBox{std::max(p[0] - r, now.left - farthest), std::max(p[1] - r, now.top - farthest),
+                     std::min(p[0] + r, now.right + farthest), std::min(p[1] + r, now.bottom + farthest)});
+      }
+    }
+  }
+
   void table() {
     std::vector<std::size_t> contacts;
     for (const MechanismGeometry::Contact& contact : geometry_.contacts) contacts.push_back(contact.index);
@@ -245,6 +264,10 @@ class MechanismDrawing {
     if (lettered()) notes = weight_words(geometry_, numbers_);
     if (geometry_.movements.size() > most_named)
       std::ranges::copy(movement_words(geometry_), std::back_inserter(notes));
+    if (look_.animated) {
+      notes.emplace_back("moving, in green: half a second of these accelerations");
+      notes.emplace_back("as if they stayed so; no simulation");
+    }
     if (motion_ == nullptr) notes.emplace_back("arrows show positive directions, not to scale");
     const bool forces = std::ranges::any_of(scene_.mechanism.shapes, [](const auto& one) { return bool(one.force); });
     if (motion_ != nullptr && !scene_.mechanism.bodies && !forces)

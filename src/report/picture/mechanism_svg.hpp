@@ -23,6 +23,7 @@ struct CommonLook {
   bool brief = false;                  ///< leaves out what is listed below the drawing
   bool is_virtual = false;             ///< velocities are those of a virtual motion, and dotted
   bool movable = false;                ///< each part says how it moves, where all parts are those of bodies
+  bool animated = false;               ///< outlines go on for half a second of the motion's accelerations
 };
 
 /// The largest force of a motion that has an arrow.
