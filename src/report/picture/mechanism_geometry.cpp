@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "mechanics/bodies/frame.hpp"
@@ -217,6 +218,17 @@ class GeometryReader {
 
 MechanismGeometry geometry_of(const MechanismScene& scene, bool still) {
   return GeometryReader(scene).read(still);
+}
+
+double least_distance(const MechanismGeometry& geometry, double fused) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const MechanismGeometry::Contact& one : geometry.contacts) {
+    for (const MechanismGeometry::Contact& other : geometry.contacts) {
+      const double apart = std::hypot(one.at[0] - other.at[0], one.at[1] - other.at[1]);
+      if (apart > fused) least = std::min(least, apart);
+    }
+  }
+  return least;
 }
 
 }  // namespace slipproof

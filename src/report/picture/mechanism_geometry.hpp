@@ -68,4 +68,7 @@ struct MechanismGeometry {
 /// With the shapes that are `still` if no motion is drawn. Throws InputError if a coordinate has no value in the scene.
 MechanismGeometry geometry_of(const MechanismScene& scene, bool still);
 
+/// The least distance of two contacts that is larger than `fused`; infinite if there is none.
+double least_distance(const MechanismGeometry& geometry, double fused);
+
 }  // namespace slipproof

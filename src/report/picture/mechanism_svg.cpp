@@ -121,16 +121,7 @@ class MechanismDrawing {
   }
   bool lettered() const { return geometry_.contacts.size() >= fewest_lettered; }
   /// The least distance of two contacts, in pixels.
-  double closest() const {
-    double least = longest_force;
-    for (const MechanismGeometry::Contact& one : geometry_.contacts) {
-      for (const MechanismGeometry::Contact& other : geometry_.contacts) {
-        const double apart = view_.scale * std::hypot(one.at[0] - other.at[0], one.at[1] - other.at[1]);
-        if (apart > 4) least = std::min(least, apart);
-      }
-    }
-    return least;
-  }
+  double closest() const { return std::min(longest_force, view_.scale * least_distance(geometry_, 4 / view_.scale)); }
   bool lifts(const MechanismGeometry::Contact& contact) const {
     return motion_ != nullptr && common_state(*motion_, contact.index) == name(ElementState::lift);
   }
