@@ -74,12 +74,10 @@ std::vector<bool> definitions_with(const Mechanism& mechanism, const MechanismNa
 
 std::string unknown_name(std::string_view what, std::string_view found, const std::vector<std::string_view>& known) {
   std::string message = "unknown " + std::string(what) + " " + in_quotes(found);
-  const auto meant = near_match(found, known);
-  if (meant) message += ", did you mean '" + std::string(*meant) + "'?";
+  if (const auto meant = near_match(found, known)) return message + ", did you mean '" + std::string(*meant) + "'?";
   constexpr std::size_t most = 60;
   if (known.empty() || known.size() > most) return message;
-  const char* const one = known.size() == 1 ? "expected " : "expected one of ";
-  return message + (meant ? " " : ", ") + one + listed(known);
+  return message + (known.size() == 1 ? ", expected " : ", expected one of ") + listed(known);
 }
 
 }  // namespace slipproof

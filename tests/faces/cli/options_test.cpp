@@ -93,10 +93,11 @@ TEST_CASE("of unknown options, papers, claims and parameters the known ones are 
     CHECK(end.out.empty());
     CHECK(end.err.find(message) != std::string::npos);
   };
-  refused({"solve", city_bicycle, "--lod", "3"}, 2,
-          "unknown option '--lod', did you mean '--load'? expected one of --digits, ");
+  refused({"solve", city_bicycle, "--lod", "3"}, 2, "unknown option '--lod', did you mean '--load'?");
+  refused({"solve", city_bicycle, "--frobnicate"}, 2, "unknown option '--frobnicate', expected one of --digits, ");
   refused({"certify", "-", "--anser", "x"}, 2, "unknown option '--anser', did you mean '--answer'?");  // in a group
-  refused({"verify", "lader"}, 3, "unknown paper 'lader', did you mean 'ladder'? expected one of block-on-incline, ");
+  refused({"verify", "lader"}, 3, "unknown paper 'lader', did you mean 'ladder'?");
+  refused({"verify", "unheard-of"}, 3, "unknown paper 'unheard-of', expected one of block-on-incline, ");
   refused({"verify", "ladder", "--only", "Z"}, 3, "unknown claim 'Z', expected one of ");
   refused({"critical", city_bicycle, "--x", "foo"}, 3,
           "unknown parameter of the scene 'foo', expected one of M, R, h, ");
