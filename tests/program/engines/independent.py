@@ -4,6 +4,7 @@ for motions by Newton's method from random starts in every pattern of lift, stic
 that is expected; nothing that it misses is wrong. Scenes with joints, or with more contacts than patterns can be tried of,
 are counted and left out, and so are continua."""
 
+import os
 import sys
 from collections import Counter
 from pathlib import Path
@@ -11,6 +12,7 @@ from types import SimpleNamespace
 
 cases = Path(sys.argv[2]).resolve()
 sys.path[:0] = [str(cases), str(Path(__file__).resolve().parents[2] / "contact/complete/independent")]
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # matrices are small
 try:
     import numpy as np
 except ImportError:
