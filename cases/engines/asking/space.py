@@ -8,7 +8,7 @@
 
 import math
 
-from .world import Refused
+from .world import Refused, forces_at_points
 
 CLOSE = 1e-9  # of a size or a speed: what is 0 but for rounding
 
@@ -163,19 +163,11 @@ class WorldInSpace:
                 pushed[0][i] += force[i]
                 pushed[1][i] += couple[i]
 
-        for force in self.scene["forces"]:
-            body = self.body(force["on"])
-            push(body, place(body, force["at"]), force["is"])
+        for body, at, force in forces_at_points(self.scene, self.body, place):
+            push(body, at, force)
         for torque in self.scene["torques"]:
             for i in range(3):
                 total[self.number[torque["on"]]][1][i] += torque["is"][i]
-        for joint in self.scene["joints"]:
-            if joint["kind"] == "spring":
-                first, second = (self.body(name) for name in joint["between"])
-                at, to = place(first, joint["at"]), place(second, joint["to"])
-                pull = [joint["force"] / joint["length"] * (q - p) for p, q in zip(at, to)]
-                push(first, at, pull)
-                push(second, to, [-p for p in pull])
         return total
 
     def built_body(self, body, force, torque):

@@ -42,6 +42,19 @@ def names_of(body):
     return names
 
 
+def forces_at_points(scene, body, place):
+    """Each force of the scene, and those of springs, whose tension is known: the body, the place and the force."""
+    for force in scene["forces"]:
+        yield body(force["on"]), place(body(force["on"]), force["at"]), force["is"]
+    for joint in scene["joints"]:
+        if joint["kind"] == "spring":
+            first, second = (body(name) for name in joint["between"])
+            at, to = place(first, joint["at"]), place(second, joint["to"])
+            pull = [joint["force"] / joint["length"] * (q - p) for p, q in zip(at, to)]
+            yield first, at, pull
+            yield second, to, [-p for p in pull]
+
+
 class World:
     def __init__(self, scene):
         self.scene = scene
@@ -109,17 +122,10 @@ class World:
             total[number][1] += force[1]
             total[number][2] += x * force[1] - y * force[0]
 
-        for force in self.scene["forces"]:
-            push(self.number[force["on"]], place(self.body(force["on"]), force["at"]), force["is"])
+        for body, at, force in forces_at_points(self.scene, self.body, place):
+            push(self.number[body["name"]], at, force)
         for torque in self.scene["torques"]:
             total[self.number[torque["on"]]][2] += torque["is"]
-        for joint in self.scene["joints"]:
-            if joint["kind"] == "spring":
-                first, second = (self.body(name) for name in joint["between"])
-                at, to = place(first, joint["at"]), place(second, joint["to"])
-                pull = [joint["force"] / joint["length"] * (q - p) for p, q in zip(at, to)]
-                push(self.number[first["name"]], at, pull)
-                push(self.number[second["name"]], to, [-p for p in pull])
         return total
 
     def built(self):

@@ -55,7 +55,7 @@ bool surely_irreducible(const IntegerPolynomial& p) {
 class FactorBase::Residue {
  public:
   explicit Residue(const IntegerPolynomial& p) {
-    constexpr ulong prime = (ulong{1} << 61) - 1;
+    constexpr ulong prime = (ulong{1} << (FLINT_BITS == 64 ? 61 : 31)) - 1;
     nmod_poly_init(value_, prime);
     fmpz_poly_get_nmod_poly(value_, p.flint());
     if (nmod_poly_is_zero(value_) == 0) nmod_poly_make_monic(value_, value_);

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/input/diagnostic.hpp"
-#include "base/output/listed.hpp"
 #include "contact/judge/all_solutions.hpp"
 #include "contact/space/solve_space.hpp"
 #include "mechanics/scene/solve_mechanism.hpp"
@@ -132,7 +131,7 @@ void add_outcomes(const MotionsAtLoad& found, std::vector<ImpactOutcome>& outcom
 void add_outcomes(const SolvedSpace& found, std::vector<ImpactOutcome>& outcomes) {
   for (const SpaceMotion& motion : found.motions) {
     ImpactOutcome outcome;
-    outcome.modes = {listed(motion.modes, "/")};
+    outcome.modes = {mode_of(motion)};
     outcome.strict = motion.strict;
     outcome.exists = motion.exists;
     outcome.unique = motion.unique;

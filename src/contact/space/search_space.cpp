@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/input/diagnostic.hpp"
-#include "base/output/listed.hpp"
 #include "contact/space/solve_space.hpp"
 
 namespace slipproof {
@@ -34,7 +33,7 @@ FoundMotions found_in_space(const Mechanism& mechanism, const MechanismValues& v
   FoundMotions found;
   found.count = count_of(solved);
   for (const SpaceMotion& motion : solved.motions) {
-    found.in_space.push_back((motion.is_continuum() ? "a continuum beside " : "") + listed(motion.modes, "/"));
+    found.in_space.push_back((motion.is_continuum() ? "a continuum beside " : "") + mode_of(motion));
   }
   std::ranges::sort(found.in_space);
   return found;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/output/listed.hpp"
 #include "mechanics/kernel/polyhedron.hpp"
 #include "mechanics/scene/scene.hpp"
 
@@ -36,6 +37,11 @@ struct SpaceMotion {
   /// Whether it is one of a family that moves in different ways.
   bool is_continuum() const { return !unique && !others_within; }
 };
+
+/// `slip/stick/lift`; `free` without contacts.
+inline std::string mode_of(const SpaceMotion& motion) {
+  return motion.modes.empty() ? "free" : listed(motion.modes, "/");
+}
 
 struct SolvedSpace {
   MechanismScene scene;

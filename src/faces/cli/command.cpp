@@ -2,14 +2,32 @@
 
 #include <fast_float/fast_float.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 #include "base/input/diagnostic.hpp"
 #include "base/output/listed.hpp"
+#include "base/output/standard_output.hpp"
+#include "base/output/terminal.hpp"
+#include "mechanics/mechanism/names.hpp"
 
 namespace slipproof::cli {
+
+namespace {
+
+/// The line of a result, in the colour of its first word.
+std::string coloured_result(std::string_view line) {
+  constexpr std::array<std::string_view, 5> bad{"NOT", "REFUTED", "REJECTED", "UNREADABLE", "FALLS"};
+  constexpr std::array<std::string_view, 3> open{"UNDECIDED", "MISSING", "UNEXPECTED"};
+  const std::string_view word = line.substr(2, line.find(' ', 2) - 2);
+  const auto is_in = [&](const auto& words) { return std::ranges::find(words, word) != words.end(); };
+  return emphasised(line, is_in(bad) ? Emphasis::bad : is_in(open) ? Emphasis::open : Emphasis::good);
+}
+
+}  // namespace
 
 void add_common_options(CLI::App& command, CommonOptions& options) {
   command.add_flag("--json", options.json, "Write JSON to standard output");
@@ -28,10 +46,27 @@ void add_report_options(CLI::App& command, CommonOptions& options) {
       ->excludes("--json");
 }
 
+void add_examples(CLI::App& command, const std::vector<std::string>& examples) {
+  std::string text = examples.size() == 1 ? "Example:" : "Examples:";
+  for (const std::string& example : examples) text += "\n  slipproof " + command.get_name() + " " + example;
+  command.footer(text + "\n\n" + command.get_footer());
+}
+
 void add_digits_option(CLI::App& command, int& digits) {
   command.add_option("--digits", digits, "Significant digits of decimals")
       ->check(whole_number(1, 1000))
       ->capture_default_str();
+}
+
+void print(std::string_view text) {
+  if (!takes_colours(STDOUT_FILENO)) return write_standard_output(text);
+  std::string coloured;
+  for (std::size_t end = 0; !text.empty(); text.remove_prefix(end)) {
+    end = std::min(text.find('\n'), text.size() - 1) + 1;
+    const std::string_view line = text.substr(0, end);
+    coloured += line.starts_with("s ") && line.ends_with('\n') ? coloured_result(line.substr(0, end - 1)) + '\n' : line;
+  }
+  write_standard_output(coloured);
 }
 
 void print_document(const Document& document, const CommonOptions& options) {
@@ -39,7 +74,8 @@ void print_document(const Document& document, const CommonOptions& options) {
   if (options.quiet && !blocks.empty() && blocks.back().kind == ReportBlock::Kind::status) {
     return print(blocks.back().line.text() + "\n");
   }
-  print(options.markdown ? markdown_of(document) : text_of(document));
+  print(options.markdown ? markdown_of(document)
+                         : text_of(document, {is_terminal(STDOUT_FILENO), takes_colours(STDOUT_FILENO)}));
 }
 
 void expect_ending(const std::string& option, const std::string& file, const std::vector<std::string_view>& endings,
@@ -92,7 +128,21 @@ std::filesystem::path shipped(const std::filesystem::path& file) {
 }
 
 std::filesystem::path claims_path(const std::string& argument) {
-  return argument.empty() ? shipped("proofs/rozenblat-yashin/claims.toml") : std::filesystem::path(argument);
+  if (argument.empty()) return shipped("proofs/rozenblat-yashin/claims.toml");
+  std::filesystem::path path = argument;
+  std::error_code error;
+  if (std::filesystem::exists(path, error) || path.extension() == ".toml") return path;
+  std::vector<std::string> papers;
+  for (const auto& entry : std::filesystem::directory_iterator(shipped("proofs"), error)) {
+    const std::filesystem::path claims = entry.path() / "claims.toml";
+    if (!std::filesystem::exists(claims, error)) continue;
+    papers.push_back(entry.path().filename().string());
+    if (papers.back() == argument) return claims;
+  }
+  std::ranges::sort(papers);
+  throw InputError(
+      {{argument, 0, 0,
+        "no such file, and " + unknown_name("paper", path.filename().string(), {papers.begin(), papers.end()})}});
 }
 
 }  // namespace slipproof::cli

@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/output/standard_output.hpp"
 #include "report/document/document.hpp"
 
 namespace slipproof::cli {
@@ -52,6 +51,9 @@ struct CommonOptions {
 void add_common_options(CLI::App& command, CommonOptions& options);
 /// The same and --markdown, for commands that print a document with print_report().
 void add_report_options(CLI::App& command, CommonOptions& options);
+/// Adds examples to the end of a command's help: what follows `slipproof NAME `. They run in the folder of the sources,
+/// and in that of the installed data.
+void add_examples(CLI::App& command, const std::vector<std::string>& examples);
 /// --digits.
 void add_digits_option(CLI::App& command, int& digits);
 
@@ -69,10 +71,8 @@ void expect_ending(const std::string& option, const std::string& file, const std
 /// The same for the name of a page.
 void expect_page_name(const std::string& option, const std::string& file);
 
-/// Writes to standard output. Throws OutputError.
-inline void print(std::string_view text) {
-  write_standard_output(text);
-}
+/// Writes to standard output; on a terminal with colours, `s VERDICT ...` in that of the verdict. Throws OutputError.
+void print(std::string_view text);
 
 /// Prints a document as text or Markdown; with --quiet only its status.
 void print_document(const Document& document, const CommonOptions& options);
@@ -87,7 +87,8 @@ void print_report(const CommonOptions& options, const MakeJson& json, const Make
 /// installed program, or in the sources from which it was built.
 std::filesystem::path shipped(const std::filesystem::path& file);
 
-/// The claims file in the argument, or that of the shipped paper.
+/// The file or folder in the argument; where there is none, the shipped paper of this name; without an argument the
+/// first shipped paper. Throws InputError, which lists the papers.
 std::filesystem::path claims_path(const std::string& argument);
 
 /// Each function adds its subcommand; running the subcommand sets the exit code.

@@ -39,7 +39,7 @@ void be_silent() {
 
 void add_crew_options(CLI::App& command, CrewArguments& arguments) {
   command.add_option("--checkpoint", arguments.checkpoint,
-                     "Keep results in this file as they come: if the run is interrupted, the same command\n"
+                     "Keep results in this file as they come: if the run is interrupted, the same command "
                      "continues from there, with any number of threads and ranks");
 }
 

@@ -18,7 +18,7 @@ Rational number_of(const std::string& option, const std::string& text) {
 
 void add_range_option(CLI::App& command, const std::string& name, std::vector<std::string>& texts,
                       const std::string& description) {
-  command.add_option(name, texts, description)->expected(2)->check([](const std::string& text) {
+  command.add_option(name, texts, description)->expected(2)->type_name("FROM TO")->check([](const std::string& text) {
     try {
       parse_rational(text);
       return std::string();

@@ -21,10 +21,13 @@
 #include "base/os/registers.hpp"
 #include "base/output/listed.hpp"
 #include "base/output/output_error.hpp"
+#include "base/output/terminal.hpp"
 #include "base/parallel/failure.hpp"
 #include "faces/cli/command.hpp"
 #include "faces/cli/crew_run.hpp"
+#include "faces/cli/help.hpp"
 #include "faces/cli/interrupt.hpp"
+#include "mechanics/mechanism/names.hpp"
 
 namespace slipproof::cli {
 
@@ -65,8 +68,29 @@ void refuse_unknown_command(const CLI::App& app, int argc, char** argv) {
   }
   const std::vector<std::string_view> known(names.begin(), names.end());
   const auto meant = near_match(word, known);
-  throw CLI::ValidationError("unknown command '" + word + "'", meant ? "did you mean '" + std::string(*meant) + "'?"
-                                                                     : "expected one of " + listed(names, ", "));
+  throw CLI::ValidationError(
+      "unknown command '" + word + "'",
+      (meant ? "did you mean '" + std::string(*meant) + "'? " : "") + "expected one of " + listed(names));
+}
+
+/// What is said of the first option that a command does not have; empty if all are known.
+std::string unknown_option(const CLI::App& app) {
+  for (const CLI::App* command : app.get_subcommands()) {
+    std::vector<std::string> names;
+    const auto add = [&](const CLI::App* one) {
+      for (const CLI::Option* option : one->get_options({})) {
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+      }
+    };
+    add(command);
+    for (const CLI::App* group : command->get_subcommands({})) add(group);
+    std::ranges::sort(names);
+    names.erase(std::ranges::unique(names).begin(), names.end());
+    for (const std::string& word : command->remaining()) {
+      if (word.starts_with("--")) return unknown_name("option", word, {names.begin(), names.end()});
+    }
+  }
+  return {};
 }
 
 std::string exit_codes_text() {
@@ -75,11 +99,17 @@ std::string exit_codes_text() {
   return text;
 }
 
+/// To standard error; on a terminal in lines of 80 columns.
+void complain(const std::string& message) {
+  std::cerr << (is_terminal(STDERR_FILENO) ? narrow(message) : message + '\n');
+}
+
 int run_command(int argc, char** argv) {
   CLI::App app("Exact, provable answers about dry friction", "slipproof");
   app.set_version_flag("--version", "slipproof " SLIPPROOF_VERSION);
   app.require_subcommand(1);
   app.footer(exit_codes_text());
+  app.formatter(help_formatter());
   int exit_code = success;
   add_solve(app, exit_code);
   add_rest(app, exit_code);
@@ -99,6 +129,7 @@ int run_command(int argc, char** argv) {
   add_map(app, exit_code);
   add_draw(app, exit_code);
   add_explore(app, exit_code);
+  for (CLI::App* command : app.get_subcommands({})) group_options(*command);
   try {
     const Rank place = launched();
     if (place.rank != 0) be_silent();
@@ -106,6 +137,10 @@ int run_command(int argc, char** argv) {
     refuse_unknown_command(app, argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    if (const std::string unknown = unknown_option(app); !unknown.empty()) {
+      complain(unknown + "\nRun with --help for more information.");
+      return usage;
+    }
     std::ostringstream out;
     exit_code = app.exit(error, out) == 0 ? success : usage;
     print(out.str());
@@ -148,13 +183,13 @@ int exit_code_of(const std::function<int()>& work) {
   try {
     return work();
   } catch (const InputError& error) {
-    std::cerr << error.what() << '\n';
+    complain(error.what());
     return bad_input;
   } catch (const OutputError& error) {
-    std::cerr << error.what() << '\n';
+    complain(error.what());
     return not_written;
   } catch (const TooMuchWork& error) {
-    std::cerr << "slipproof: " << error.what() << '\n';
+    complain(std::string("slipproof: ") + error.what());
     return undecided;
   } catch (const std::filesystem::filesystem_error& error) {
     std::cerr << error.path1().string() << ": cannot be read: " << error.code().message() << '\n';

@@ -5,6 +5,8 @@
 
 #include <iostream>
 
+#include "base/output/terminal.hpp"
+
 namespace slipproof::cli {
 
 std::string duration_text(std::chrono::seconds time) {
@@ -15,7 +17,7 @@ std::string duration_text(std::chrono::seconds time) {
 }
 
 ProgressLine::ProgressLine(bool wanted)
-    : shown_(wanted && isatty(STDERR_FILENO) != 0), with_output_(isatty(STDOUT_FILENO) != 0) {}
+    : shown_(wanted && is_terminal(STDERR_FILENO)), with_output_(is_terminal(STDOUT_FILENO)) {}
 
 void ProgressLine::at(std::uint64_t done, std::uint64_t all, const std::string& note) {
   if (!shown_) return;

@@ -9,6 +9,7 @@
 #include "base/input/diagnostic.hpp"
 #include "base/number/parse.hpp"
 #include "contact/problem/every_push.hpp"
+#include "faces/explorer/pasted.hpp"
 #include "mechanics/planes/axis_choice.hpp"
 #include "mechanics/scene/solve_mechanism.hpp"
 #include "report/phase/phase_svg.hpp"
@@ -119,7 +120,8 @@ Json pictures_of(const SolvedMechanism& solved) {
   const std::size_t single = solved.at_load ? solved.at_load->motions.size() : 0;
   const std::vector<MotionAtLoad> motions =
       solved.at_load ? drawn_motions(*solved.at_load) : std::vector<MotionAtLoad>{};
-  const CommonLook look = common_look(solved.scene, motions);
+  CommonLook look = common_look(solved.scene, motions);
+  look.movable = true;
   const auto add = [&](const std::string& title, const MotionAtLoad* motion) {
     const ElementTree document("div");
     const Element svg = add_mechanism(document.root(), solved.scene, motion, title, look);
@@ -182,6 +184,8 @@ std::string Explorer::answer(std::string_view text) const {
     // Written and read again: what the page shows and copies is what the program reads, with all that it refuses.
     const std::string written = to_toml(scene, given_.mechanism, given_.along);
     scene = parse_scene(written, scene_file);
+    if (request.contains("pasted"))
+      return json_text({{"judged", judge_pasted(request["pasted"].get<std::string>(), written)}});
     if (request.contains("map")) {
       const std::size_t columns = request.value("columns", usual_columns);
       return json_text(map_answer(scene, request["map"], std::clamp<std::size_t>(columns, 2, most_columns)));

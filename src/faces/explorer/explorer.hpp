@@ -22,12 +22,13 @@ class Explorer {
   /// - `map`: optional. The parameter or angle of a phase diagram, or "" for the usual one; `columns`: its evenly
   ///   spaced values, 48 without it.
   /// - `every_q`: optional, false: `solve` has no `every_q`, which may take most of the time.
+  /// - `pasted`: optional, a text. The answer is `judged`: a list of what judge_pasted() says of its answers.
   /// - `ranges`: optional, true: also the range of each value in the explorer.
   ///
-  /// Without `map` the answer has `scene`, the text of a scene file with the values, `values`, `solve`, the document
-  /// slipproof/solve/2, and `pictures`, one of each motion and continuum as SVG; with `map`, the picture, and the axes
-  /// of its `frames`: the diagram, then what is enlarged. For bad input it has only `mistakes`, one text each. Any
-  /// bytes are safe.
+  /// Without `map` and `pasted` the answer has `scene`, the text of a scene file with the values, `values`, `solve`,
+  /// the document slipproof/solve/2, and `pictures`, one of each motion and continuum as SVG; with `map`, the picture,
+  /// and the axes of its `frames`: the diagram, then what is enlarged. For bad input it has only `mistakes`, one text
+  /// each. Any bytes are safe.
   std::string answer(std::string_view request) const;
 
  private:

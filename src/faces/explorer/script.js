@@ -5,9 +5,10 @@
 const by = id => document.getElementById(id);
 const linked = scenePart(location.hash);
 let given = JSON.parse(by('given').textContent);
+const front = 'front' in document.body.dataset;  // of the site
 const svgNamespace = 'http://www.w3.org/2000/svg';
 
-let library, mapper, original, current;
+let compiled, library, mapper, original, current;
 let rows = new Map();   // by symbol
 let changed = {};       // texts of numbers by symbol; null: no value
 let across = '';        // the horizontal axis of the diagram
@@ -122,32 +123,12 @@ function showMotions({ solve, pictures }) {
     showDrawing(figure.children[1], picture.svg);
   });
   figures.slice(pictures.length).forEach(figure => figure.remove());
+  by('move-row').hidden = !moving.take([...by('pictures').querySelectorAll('.drawing')].map(host => host.shadowRoot.firstChild));
+  by('move-note').textContent = moving.words();
   by('numbers').replaceChildren(...tablesOf(solve));
 }
 
 // ---- the diagram
-
-// A worker answers, so that dragging stays smooth; where there are no workers, the page itself does.
-function startMapper() {
-  const code = ['library', 'asking'].map(id => by(id).textContent).join('\n') + `
-    let opened;
-    onmessage = async ({ data }) => {
-      try {
-        if (data.given) opened = openLibrary(data.given);
-        else postMessage({ id: data.id, answer: (await opened).answer(data.request) });
-      } catch (error) {
-        postMessage({ id: data.id, answer: { mistakes: [String(error.message ?? error)] } });
-      }
-    };`;
-  try {
-    const worker = new Worker(URL.createObjectURL(new Blob([code], { type: 'text/javascript' })));
-    worker.postMessage({ given });
-    return { post: message => worker.postMessage(message), listen: listener => { worker.onmessage = ({ data }) => listener(data); } };
-  } catch {
-    let listener;
-    return { post: ({ id, request }) => listener({ id, answer: library.answer(request) }), listen: other => { listener = other; } };
-  }
-}
 
 let asked = 0, waiting = false, shownKey = null, wantedKey = null;
 
@@ -276,7 +257,15 @@ function readState() {
   by('across').value = across;
 }
 
+function move(on) {
+  moving.turn(on);
+  by('move').setAttribute('aria-pressed', on);
+  by('move-note').textContent = moving.words();
+}
+
 function wire() {
+  by('move').addEventListener('click', () => move(!moving.isOn()));
+  pasting.wire(text => library.answer({ set: changed, pasted: text }), () => current);
   by('reset').addEventListener('click', () => {
     changed = {};
     ask();
@@ -304,10 +293,11 @@ function wire() {
 
 async function start() {
   if (given === null) given = sceneOf(linked);
-  library = await openLibrary(given);
+  compiled = await unpacked(by('compiled').textContent);
+  library = await openLibrary(given, compiled);
   original = library.answer({ ranges: true, every_q: false });
   if (original.mistakes) throw new Error(original.mistakes.join('\n'));
-  document.title = `${original.name} – explorer`;
+  if (!front) document.title = `${original.name} – explorer`;
   by('name').textContent = original.name;
   by('subject').textContent = `Mechanism: ${original.mechanism}. Drag a value; the motions follow, exactly.`;
   // What the diagram shows comes first: the load, and the parameter across.
@@ -317,7 +307,7 @@ async function start() {
   const few = ranked.length <= 6 || first === 0 ? ranked.length : first;
   ranked.forEach((value, i) => addRow(value, i < few ? 'rows' : 'other-rows'));
   by('others').hidden = few === ranked.length;
-  by('others').open = matchMedia('(min-width: 60rem)').matches;
+  by('others').open = !front && matchMedia('(min-width: 60rem)').matches;
   const usable = original.values.filter(value => value.kind !== 'load' && value.range);
   by('across').append(...usable.map(value => make('option', { value: value.symbol, textContent: value.symbol })));
   original.across = usable.find(value => value.symbol === original.usual)?.symbol ?? usable[0]?.symbol ?? '';
@@ -328,10 +318,11 @@ async function start() {
   }
   readState();
   wire();
-  mapper = startMapper();
+  mapper = startMapper(given, compiled, library);
   mapper.listen(showMap);
   if (Object.keys(changed).length) show(original);  // it stays if the link's values are refused
   refresh();
+  if (front && moving.startsByItself()) move(true);
   document.body.dataset.ready = 'true';
 }
 

@@ -139,6 +139,9 @@ function showDrawing(host, svg) {
   drawing.style.display = 'block';
   drawing.style.width = '100%';
   drawing.style.height = 'auto';
+  const faded = document.createElementNS('http://www.w3.org/2000/svg', 'style');  // what stays behind in motion
+  faded.textContent = '.moves-now>:not([data-about],.frame){opacity:0.3}';
+  drawing.append(faded);
   root.replaceChildren(drawing);
   return drawing;
 }

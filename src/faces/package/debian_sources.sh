@@ -22,7 +22,11 @@ unpack() {  # PACKAGE NAME: into sources/NAME
 flint_folders=(fmpz fmpz_vec fmpz_poly fmpz_factor fmpz_poly_factor fmpz_mat fmpz_lll fmpz_mod fmpz_mod_poly fmpz_mpoly
   fmpz_mpoly_factor fmpz_mod_mpoly fmpq fmpq_vec fmpq_mat fmpq_poly fmpq_mpoly fmpq_mpoly_factor ulong_extras
   long_extras double_extras nmod_vec nmod_mat nmod_poly nmod_poly_factor nmod_mpoly nmod_mpoly_factor n_poly mpoly mpn_extras fft
-  perm d_vec d_mat mpf_vec mpf_mat mpfr_vec mpfr_mat thread_pool thread_support)
+  perm d_vec d_mat mpf_vec mpf_mat mpfr_vec mpfr_mat thread_pool thread_support
+  # The greatest common divisors and factors of polynomials in several variables call these, too.
+  fmpz_mod_vec fmpz_mod_mat fmpz_mod_mpoly_factor fq_nmod fq_nmod_vec fq_nmod_mat fq_nmod_poly fq_nmod_poly_factor
+  fq_nmod_mpoly fq_nmod_mpoly_factor fq_nmod_embed fq_zech fq_zech_vec fq_zech_mat fq_zech_poly fq_zech_poly_factor fq_zech_mpoly
+  fq_zech_mpoly_factor aprcl qsieve)
 # flint_of_debian BITS: libflint.a for words of 32 or 64 bits. The caller has these functions: flint_config prints
 # flint-config.h, compile FILE... compiles into the present folder, archive NAME FILE... makes libNAME.a.
 flint_of_debian() {
@@ -38,6 +42,10 @@ flint_of_debian() {
   compile_flint top "$PWD"/{printf,fprintf,sprintf,scanf,fscanf,sscanf,clz_tab,memory_manager,exception,hashmap,inlines}.c
   local part
   for part in "${flint_folders[@]}"; do compile_flint "$part" "$PWD/$part"/*.c; done
+  # FLINT asks its table of Conway's polynomials before it looks for an irreducible one; the table would take 0.9 MB as text,
+  # and is left empty.
+  echo 'int flint_conway_polynomials[] = {0};' >"$folder/flint/conway.c"
+  compile_flint conway "$folder/flint/conway.c"
   archive flint "$folder"/flint/*/*.o
 }
 compile_flint() {  # NAME FILE...: one call for each folder; there are thousands of files

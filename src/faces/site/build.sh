@@ -13,13 +13,10 @@ program=$built/slipproof
 allowed() { "$@" || (($? < 5)); }
 
 cd "$source"
-"$program" explore cases/three-motions/three-motions.toml -o "$out/explorer.html" --quiet
+"$program" explore cases/three-motions/drawn.toml -o "$out/index.html" --quiet
 "$program" explore cases/rest/three-legged-table.toml -o "$out/stand.html" --quiet
 allowed "$program" report proofs --out "$out/papers" --quiet
 allowed "$program" report cases/engines --out "$out/engines" --quiet
-cp src/report/html/style.css "$out/report.css"
-cp "$here/front.css" "$out/"
-stand=$("$program" rest cases/rest/three-legged-table.toml --quiet)
-sed "s|@version@|$("$program" --version)|; s|@stand@|The program says of this table: <code>$stand</code>.|" \
-  "$here/front.html" >"$out/index.html"
+stand=$("$program" rest cases/rest/three-legged-table.toml | sed -n 's/^ *\(.*it can rest from.*\)/\1/p')
+/usr/bin/python3 -B "$here/front.py" "$out/index.html" "version=$("$program" --version)" "stand=$stand"
 /usr/bin/python3 -B "$here/pages.py" "$source" "$built" "$out"

@@ -14,10 +14,6 @@
 
 namespace slipproof {
 
-std::string_view name(Tier tier) {
-  return tier == Tier::filter ? "filter" : "exact";
-}
-
 MechanismBatch::MechanismBatch(const Mechanism& mechanism)
     : MechanismBatch(mechanism, starts(mechanism), std::vector<bool>(mechanism.parameters.size(), true)) {}
 

@@ -129,7 +129,7 @@ MechanismKinds::MechanismKinds(const Mechanism& mechanism) : unknown_acceleratio
   for (std::size_t line = 0; line < forms.size(); ++line) {
     for (const auto& [i, coefficient] : forms[line]->terms) {
       if (unknown(i) == lines[line]) continue;
-      const auto add = [&](std::map<Pair, Quotient>& to) {
+      const auto add = [&, i = i](std::map<Pair, Quotient>& to) {
         Quotient& quotient = to[{unknown(i), lines[line]}];
         quotient.kind = unknown(i);
         quotient.of = lines[line];

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "base/input/near_match.hpp"
+#include "base/output/listed.hpp"
 
 namespace slipproof {
 
@@ -73,12 +74,12 @@ std::vector<bool> definitions_with(const Mechanism& mechanism, const MechanismNa
 
 std::string unknown_name(std::string_view what, std::string_view found, const std::vector<std::string_view>& known) {
   std::string message = "unknown " + std::string(what) + " " + in_quotes(found);
-  if (const auto meant = near_match(found, known)) return message + ", did you mean '" + std::string(*meant) + "'?";
-  constexpr std::size_t listed = 12;
-  if (known.empty() || known.size() > listed) return message;
-  message += known.size() == 1 ? ", expected" : ", expected one of";
-  for (const std::string_view name : known) message += (name == known.front() ? " " : ", ") + std::string(name);
-  return message;
+  const auto meant = near_match(found, known);
+  if (meant) message += ", did you mean '" + std::string(*meant) + "'?";
+  constexpr std::size_t most = 60;
+  if (known.empty() || known.size() > most) return message;
+  const char* const one = known.size() == 1 ? "expected " : "expected one of ";
+  return message + (meant ? " " : ", ") + one + listed(known);
 }
 
 }  // namespace slipproof

@@ -59,7 +59,7 @@ class MechanismNames {
 /// For each definition, whether it depends on the symbol, directly or through others.
 std::vector<bool> definitions_with(const Mechanism& mechanism, const MechanismNames& names, std::string_view symbol);
 
-/// "unknown WHAT 'FOUND', did you mean 'X'?" or ", expected one of A, B".
+/// "unknown WHAT 'FOUND', did you mean 'A'? expected one of A, B"; of at most 60 names these are listed.
 std::string unknown_name(std::string_view what, std::string_view found, const std::vector<std::string_view>& known);
 
 }  // namespace slipproof

@@ -5,7 +5,6 @@
 #include "base/number/binary64.hpp"
 #include "base/number/format.hpp"
 #include "base/output/json.hpp"
-#include "base/output/listed.hpp"
 #include "contact/space/solve_space.hpp"
 #include "records/judging/answer.hpp"
 #include "records/judging/forces_near.hpp"
@@ -15,10 +14,6 @@ namespace slipproof {
 namespace {
 
 constexpr std::size_t kept_points = 64;
-
-std::string mode_text(const SpaceMotion& motion) {
-  return listed(motion.modes, "/");
-}
 
 Json range_text(const std::optional<Range>& range) {
   return range ? Json::array({exact_text(*range->lower), exact_text(*range->upper)}) : Json(nullptr);
@@ -53,7 +48,7 @@ class SpaceVerdict {
       const RecordAnswer::Bounds& bounds = bounds_[*best_];
       result.distance = enclose(bounds.most.scaled).upper;
       if (result.verdict != RecordVerdict::wrong && result.verdict != RecordVerdict::undecided) {
-        result.add_mode(no_mode, mode_text(solved_.motions[*best_]));
+        result.add_mode(no_mode, mode_of(solved_.motions[*best_]));
         result.max_error = enclose(bounds.most.relative).upper;
         result.others_excluded = is_alone(solved_.motions[*best_]);
         if (result.verdict == RecordVerdict::certified && !result.others_excluded) details_["others"] = "not excluded";
@@ -133,7 +128,7 @@ class SpaceVerdict {
       for (std::size_t i = 0; i < motion.forces.size(); ++i) {
         forces[fields.name(fields.first_answer() + fields.accelerations() + i)] = range_text(motion.forces[i]);
       }
-      found.push_back({{"modes", Json::array({mode_text(motion)})},
+      found.push_back({{"modes", Json::array({mode_of(motion)})},
                        {"status", motion.strict ? "strict" : "boundary"},
                        {"exists", motion.exists},
                        {"unique", motion.unique},

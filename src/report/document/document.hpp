@@ -145,8 +145,12 @@ struct ReportBlock {
   ReportTable table = {};
 };
 
+struct TextLook {
+  bool narrow = false;   ///< lines that are never broken are broken at 80 columns, too, unless they are of a table
+  bool colours = false;  ///< titles and headings are bold
+};
 /// For a terminal of 80 columns. Content of sections and items is indented.
-std::string text_of(const Document& document);
+std::string text_of(const Document& document, const TextLook& look = {});
 /// GitHub's Markdown. Formulas between dollar signs stay as they are.
 std::string markdown_of(const Document& document);
 /// Adds the blocks to an element. Headings begin at h`level`.

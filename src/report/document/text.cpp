@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "base/input/utf8.hpp"
+#include "base/output/terminal.hpp"
 #include "report/document/document.hpp"
 
 namespace slipproof {
@@ -14,8 +15,14 @@ bool stands_apart(const ReportBlock& block) {
          block.kind == Kind::status || (block.kind == Kind::table && block.table.has_head());
 }
 
+bool is_heading(const ReportBlock& block) {
+  return block.kind == ReportBlock::Kind::title || block.kind == ReportBlock::Kind::section;
+}
+
 class TextWriter {
  public:
+  explicit TextWriter(const TextLook& look) : look_(look) {}
+
   void write(const Document& document, std::size_t indent) {
     const ReportBlock* before = nullptr;
     for (const ReportBlock& block : document.blocks()) {
@@ -37,7 +44,7 @@ class TextWriter {
         text_ += wrapped(margin, block.line.text());
         break;
       case ReportBlock::Kind::fact:
-        text_ += margin + block.term + ": " + block.line.text() + '\n';
+        text_ += as_line(margin + block.term + ": " + block.line.text());
         break;
       case ReportBlock::Kind::table:
         write(block.table, indent);
@@ -49,10 +56,20 @@ class TextWriter {
         text_ += wrapped(margin, block.line.text());
         write(block.inside, indent + block.indent.inside);
         break;
-      default:
+      case ReportBlock::Kind::status:
         text_ += margin + block.line.text() + '\n';
+        break;
+      default:
+        text_ += as_line(margin + block.line.text(), is_heading(block));
         write(block.inside, indent + block.indent.inside);
     }
+  }
+
+  /// A line that only a narrow look breaks.
+  std::string as_line(const std::string& line, bool is_heading = false) const {
+    const std::string text = look_.narrow ? narrow(line) : line + '\n';
+    if (!is_heading || !look_.colours) return text;
+    return emphasised(text.substr(0, text.size() - 1), Emphasis::strong) + '\n';
   }
 
   /// A word at the end of its row may be longer than its column, so that one long row does not widen all others.
@@ -100,13 +117,14 @@ class TextWriter {
     }
   }
 
+  const TextLook look_;
   std::string text_;
 };
 
 }  // namespace
 
-std::string text_of(const Document& document) {
-  TextWriter writer;
+std::string text_of(const Document& document, const TextLook& look) {
+  TextWriter writer(look);
   writer.write(document, 0);
   return writer.take();
 }

@@ -30,11 +30,6 @@ Element add_title(const Element& main, const std::string& kicker, const std::str
 /// The signs and colours of the verdicts.
 void add_key(const Element& top);
 
-/// A search field that hides what does not contain its words: the elements of the class `item` below the element with
-/// the id `list`. `search_script` shows and runs it.
-void add_search(const Element& section, const std::string& list, std::string_view label);
-extern const std::string_view search_script;
-
 void add_engines_index(const Element& main, const EnginePageInput& input);
 void add_class_page(const Element& main, const EnginePageInput& input, const std::string& name);
 void add_scene_page(const Element& main, const EnginePageInput& input, std::size_t scene);

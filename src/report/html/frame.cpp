@@ -5,6 +5,25 @@
 
 namespace slipproof {
 
+const std::string_view search_script =
+    R"js("use strict";
+document.querySelectorAll("input[type=search]").forEach(function (field) {
+  const items = document.querySelectorAll("#" + field.dataset.list + " .item");
+  const count = field.parentElement.querySelector("output");
+  field.parentElement.hidden = false;
+  field.addEventListener("input", function () {
+    const words = field.value.toLowerCase().split(/\s+/);
+    let shown = 0;
+    items.forEach(function (item) {
+      const text = item.textContent.toLowerCase();
+      item.hidden = !words.every(function (word) { return text.includes(word); });
+      if (!item.hidden) shown += 1;
+    });
+    count.textContent = field.value.trim() ? shown + " of " + items.length : "";
+  });
+});
+)js";
+
 namespace {
 
 void add_head(const Element& html, const PageFrame& frame) {
@@ -56,6 +75,13 @@ Element add_section(const Element& main, const char* id, std::string_view headin
   const Element section = main.add("section").set("id", id).set("aria-labelledby", std::string(id) + "-heading");
   section.add("h2").set("id", std::string(id) + "-heading").text(heading);
   return section;
+}
+
+void add_search(const Element& section, const std::string& list, std::string_view label) {
+  const Element line = section.add("p", "search").set("hidden", "hidden");
+  line.add("input").set("type", "search").set("data-list", list).set("aria-label", label).set("placeholder", label);
+  line.text(" ");
+  line.add("output").set("aria-live", "polite");
 }
 
 }  // namespace slipproof

@@ -28,4 +28,9 @@ std::string framed(const PageFrame& frame, const std::function<void(const Elemen
 /// A section with its heading.
 Element add_section(const Element& main, const char* id, std::string_view heading);
 
+/// A search field that hides what does not contain its words: the elements of the class `item` below the element with
+/// the id `list`. `search_script` shows and runs it.
+void add_search(const Element& section, const std::string& list, std::string_view label);
+extern const std::string_view search_script;
+
 }  // namespace slipproof

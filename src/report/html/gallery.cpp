@@ -28,7 +28,8 @@ void add_bars(const Element& parent, const VerdictTotals& counts) {
 }
 
 void add_paper(const Element& list, const JudgedPaper& paper) {
-  const Element item = list.add("li", "paper");
+  const std::size_t findings = errata(paper.file, paper.result).findings.size();
+  const Element item = list.add("li", findings > 0 ? "paper item with-findings" : "paper item");
   item.add("h2").add("a").set("href", page_name(paper)).text(paper.file.paper.title);
   if (!paper.file.paper.reference.empty()) {
     const Element p = item.add("p", "authors");
@@ -40,13 +41,27 @@ void add_paper(const Element& list, const JudgedPaper& paper) {
   }
   if (!paper.file.paper.found.empty()) item.add("p", "found").text(paper.file.paper.found);
   add_bars(item, count_verdicts(paper.file, paper.result));
-  const std::size_t findings = errata(paper.file, paper.result).findings.size();
   if (findings > 0) {
     item.add("p").add("a").set("href", page_name(paper) + "#errata").text(counted(findings, "finding"));
   }
   if (summary(paper.file, paper.result) != Summary::as_expected) {
     item.add("p", "because").text("Not every verdict is the one that the claims file expects.");
   }
+}
+
+/// Which sources are shown; works without a script.
+void add_choice(const Element& section) {
+  const Element choice = section.add("fieldset", "filter");
+  choice.add("legend").text("Show");
+  const auto option = [&](const char* id, const char* words) {
+    const Element label = choice.add("label");
+    const Element input = label.add("input").set("type", "radio").set("name", "show").set("id", id);
+    label.text(std::string(" ") + words);
+    return input;
+  };
+  option("all-sources", "all sources").set("checked", "checked");
+  option("only-findings", "with findings");
+  option("no-findings", "without findings");
 }
 
 }  // namespace
@@ -64,6 +79,7 @@ std::string gallery_html(const std::vector<JudgedPaper>& papers, const std::stri
   frame.description =
       "Published formulas about dry friction, each proved for all parameters or refuted by numbers to check by hand.";
   frame.image = image;
+  frame.script = search_script;
   // Papers that were published come first; other sources are what textbooks share.
   std::vector<const JudgedPaper*> order;
   for (const JudgedPaper& paper : papers) order.push_back(&paper);
@@ -81,7 +97,11 @@ std::string gallery_html(const std::vector<JudgedPaper>& papers, const std::stri
     const Element bars = overview.add("div", "bars");
     bars.add("p").add("b").text(counted(papers.size(), "source") + ", " + claims_text(sum(all.printed), sum(all.ours)));
     add_bars(bars, all);
-    const Element list = main.add("ul", "papers").set("id", "papers");
+    const Element section = main.add("section").set("aria-labelledby", "sources-heading");
+    section.add("h2").set("id", "sources-heading").text("Sources");
+    add_search(section, "papers", "Filter the sources: words of titles, authors, findings");
+    add_choice(section);
+    const Element list = section.add("ul", "papers").set("id", "papers");
     for (const JudgedPaper* paper : order) add_paper(list, *paper);
   });
 }

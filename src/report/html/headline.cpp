@@ -1,5 +1,7 @@
 #include "report/html/headline.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -55,10 +57,12 @@ void add_worst_motions(const Element& parent, const ClaimResult& worst) {
   const CommonLook look = common_look(e.scene, e.motions->motions);
   const Element row = parent.add("div", "motions");
   for (const MotionAtLoad& motion : e.motions->motions) {
-    const Element box = row.add("div", "motion");
     const std::string modes = modes_text(motion);
+    const Element box = row.add("div", "motion").set("tabindex", 0).set("role", "group").set("aria-label", modes);
     box.add("p", "motion-name").add("b").text(modes);
-    add_mechanism(box, e.scene, &motion, "The motion " + modes + ", with its forces", look);
+    LabelBox seen;
+    add_mechanism(box, e.scene, &motion, "The motion " + modes + ", with its forces", look, &seen)
+        .set("style", fmt::format("--natural-width:{:.0f}px", seen.right - seen.left));
   }
 }
 

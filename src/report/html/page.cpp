@@ -101,6 +101,7 @@ PageFrame frame_of(const PageInput& input) {
   link(!input.figures.empty() || !input.scenes.empty(), "#phase", "Phase diagrams");
   link(!input.machines.empty(), "#machines", "Numbers");
   link(true, "#claims", "Claims");
+  link(input.source.has_value(), "#source", "Source");
   link(true, "#errata", "Errata");
   link(!input.certificates.empty(), "#certificates", "Certificates");
   link(input.trade.has_value(), "#trade", "Speed");
@@ -121,6 +122,7 @@ std::vector<std::filesystem::path> files_of(const PageFolders& folders, const Cl
   const PaperFolder paper = paper_folder(folders.claims);
   const std::filesystem::path& beside = paper.folder;
   std::vector<std::filesystem::path> files{folders.claims, beside / "figures.toml", beside / "second-opinions.csv"};
+  if (!claims.paper.source.empty()) files.push_back(beside / claims.paper.source);
   for (const auto& file : {folders.trade, folders.model}) {
     if (!file.empty()) files.push_back(file);
   }
@@ -144,6 +146,8 @@ PageInput gather(const PageFolders& folders, const ClaimsFile& claims, Certifica
   gathering.source(folders.claims, folders.claims.filename().string());
   const PaperFolder paper = paper_folder(folders.claims);
   const std::filesystem::path& beside = paper.folder;
+  input.source = read_source_lines(folders.claims, claims.paper);
+  if (input.source) gathering.source(input.source->file, claims.paper.source);
   const std::filesystem::path figures = beside / "figures.toml";
   if (paper.is_main && std::filesystem::exists(figures)) {
     input.figures = read_figures(figures, claims);
@@ -203,8 +207,8 @@ std::string link_to_explorer(const PageInput& input, const MechanismScene& scene
 std::string page_html(const PageInput& input) {
   return framed(frame_of(input), [&](const Element& main) {
     for (const auto& add : {add_overview, add_phase_section, add_machines_section, add_claims_section,
-                            add_errata_section, add_certificates_section, add_trade_section, add_solvers_section,
-                            add_open_section, add_notation_section, add_reproduce_section}) {
+                            add_source_section, add_errata_section, add_certificates_section, add_trade_section,
+                            add_solvers_section, add_open_section, add_notation_section, add_reproduce_section}) {
       add(main, input);
     }
   });

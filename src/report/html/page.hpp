@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "claims/planes/figures.hpp"
+#include "claims/reading/source_lines.hpp"
 #include "claims/uniqueness/scene_along.hpp"
 #include "claims/verify/verify.hpp"
 #include "floating/trade/trade.hpp"
@@ -46,6 +47,7 @@ struct PageInput {
   std::vector<SceneAlong> machines;  ///< the paper's scenes, with the friction from which on they have several motions
   std::vector<SolverVerdicts> solvers;
   std::optional<Trade> trade;
+  std::optional<SourceLines> source;  ///< the text that was judged, if it is beside the claims file
   std::vector<PageSource> sources;
 };
 

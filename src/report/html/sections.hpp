@@ -19,6 +19,10 @@ void add_overview(const Element& main, const PageInput& input);
 void add_phase_section(const Element& main, const PageInput& input);
 /// The friction from which on the paper's scenes have several motions.
 void add_machines_section(const Element& main, const PageInput& input);
+/// The lines of the paper's source with the claims about them, if they are beside the claims file.
+void add_source_section(const Element& main, const PageInput& input);
+/// One of these lines as a quotation; adds nothing without it.
+void add_source_line(const Element& parent, const PageInput& input, std::size_t line);
 void add_claims_section(const Element& main, const PageInput& input);
 void add_errata_section(const Element& main, const PageInput& input);
 void add_certificates_section(const Element& main, const PageInput& input);

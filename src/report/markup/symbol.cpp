@@ -59,7 +59,7 @@ void svg_symbol(const Element& text, std::string_view name) {
     const Symbol symbol = typeset_symbol(name.substr(0, end));
     text.add("tspan").set("font-style", "italic").text(symbol.letter + (end < name.size() ? " " : ""));
     if (symbol.subscript.empty()) continue;
-    text.add("tspan").set("dy", 3).set("font-size", "75%").text(symbol.subscript);
+    text.add("tspan").set("dy", 3).set("font-size", "85%").text(symbol.subscript);
     text.add("tspan").set("dy", -3).text("\xE2\x80\x8B");  // returns to the baseline
   }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "mechanics/bodies/frame.hpp"
@@ -48,7 +49,25 @@ class GeometryReader {
     }
     double radius = shape.radius ? number(shape.radius) : 0;
     if (shape.kind == MechanismShape::Kind::circle) radius = std::abs(radius);
-    geometry.outlines.push_back({shape.kind, std::move(points), radius, shape.text, shape.thin});
+    geometry.outlines.push_back({shape.kind, std::move(points), radius, shape.text, shape.thin, body_of(shape)});
+  }
+
+  /// What is derived from bodies has the place of what it is derived from. A line between two bodies moves with
+  /// neither.
+  std::optional<std::size_t> body_of(const MechanismShape& shape) const {
+    if (!scene_.mechanism.bodies) return std::nullopt;
+    const Bodies& bodies = *scene_.mechanism.bodies;
+    const auto has_place = [&](const auto& part) { return part.place == shape.place; };
+    for (std::size_t i = 0; i < bodies.bodies.size(); ++i) {
+      if (has_place(bodies.bodies[i]) || std::ranges::any_of(bodies.bodies[i].shapes, has_place)) return i;
+    }
+    for (const BodyContact& contact : bodies.contacts) {
+      if (has_place(contact)) return contact.radius ? contact.of : contact.on;
+    }
+    for (const BodyJoint& joint : bodies.joints) {
+      if (has_place(joint) && joint.kind == BodyJoint::Kind::pin) return joint.second;
+    }
+    return std::nullopt;
   }
 
   void add_push(const MechanismShape& shape, Point at, Point along, MechanismGeometry& geometry) {
@@ -199,6 +218,17 @@ class GeometryReader {
 
 MechanismGeometry geometry_of(const MechanismScene& scene, bool still) {
   return GeometryReader(scene).read(still);
+}
+
+double least_distance(const MechanismGeometry& geometry, double fused) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const MechanismGeometry::Contact& one : geometry.contacts) {
+    for (const MechanismGeometry::Contact& other : geometry.contacts) {
+      const double apart = std::hypot(one.at[0] - other.at[0], one.at[1] - other.at[1]);
+      if (apart > fused) least = std::min(least, apart);
+    }
+  }
+  return least;
 }
 
 }  // namespace slipproof

@@ -19,6 +19,7 @@ struct MechanismGeometry {
     double radius = 0;  ///< of a turn, clockwise if negative
     std::string text;
     bool thin = false;
+    std::optional<std::size_t> body = std::nullopt;  ///< that it moves with, among the scene's
   };
   struct Contact {
     std::size_t index;  ///< among the mechanism's contacts
@@ -66,5 +67,8 @@ struct MechanismGeometry {
 
 /// With the shapes that are `still` if no motion is drawn. Throws InputError if a coordinate has no value in the scene.
 MechanismGeometry geometry_of(const MechanismScene& scene, bool still);
+
+/// The least distance of two contacts that is larger than `fused`; infinite if there is none.
+double least_distance(const MechanismGeometry& geometry, double fused);
 
 }  // namespace slipproof

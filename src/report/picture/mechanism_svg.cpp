@@ -20,6 +20,9 @@
 #include "report/picture/mechanism_geometry.hpp"
 #include "report/picture/motion_words.hpp"
 #include "report/picture/polyline.hpp"
+#include "report/picture/velocities/body_movements.hpp"
+#include "report/picture/velocities/motion_ahead.hpp"
+#include "report/picture/velocities/moving_outlines.hpp"
 
 namespace slipproof {
 
@@ -42,11 +45,15 @@ class MechanismDrawing {
         geometry_(geometry_of(scene, motion == nullptr)),
         frame_(svg) {
     fit();
+    const auto has_body = [](const auto& outline) { return outline.body.has_value(); };
+    if (look.movable && motion != nullptr && std::ranges::all_of(geometry_.outlines, has_body))
+      movements_ = body_movements(scene, *motion);
   }
 
   void draw() {
     for (const MechanismGeometry::Contact& contact : geometry_.contacts) this->contact(contact);
     for (const MechanismGeometry::Outline& outline : geometry_.outlines) this->outline(outline);
+    if (look_.animated && motion_ != nullptr) go_ahead();
     const double apart = lettered() ? 0.8 * closest() : longest_force;
     MechanismArrows arrows(svg_,
                            {scene_, motion_, geometry_, numbers_, view_, std::clamp(apart, 12.0, longest_force),
@@ -114,26 +121,17 @@ class MechanismDrawing {
   }
   bool lettered() const { return geometry_.contacts.size() >= fewest_lettered; }
   /// The least distance of two contacts, in pixels.
-  double closest() const {
-    double least = longest_force;
-    for (const MechanismGeometry::Contact& one : geometry_.contacts) {
-      for (const MechanismGeometry::Contact& other : geometry_.contacts) {
-        const double apart = view_.scale * std::hypot(one.at[0] - other.at[0], one.at[1] - other.at[1]);
-        if (apart > 4) least = std::min(least, apart);
-      }
-    }
-    return least;
-  }
+  double closest() const { return std::min(longest_force, view_.scale * least_distance(geometry_, 4 / view_.scale)); }
   bool lifts(const MechanismGeometry::Contact& contact) const {
     return motion_ != nullptr && common_state(*motion_, contact.index) == name(ElementState::lift);
   }
   void see(const LabelBox& box) { frame_.see(box); }
   void see(Point p) { frame_.see(p); }
 
-  void line(Point from, Point to, std::string_view css, double weight) {
-    svg_.add("line", css).set("x1", from[0]).set("y1", from[1]).set("x2", to[0]).set("y2", to[1]);
+  Element line(Point from, Point to, std::string_view css, double weight) {
     labels_.avoid(from, to, weight);
     see(from), see(to);
+    return svg_.add("line", css).set("x1", from[0]).set("y1", from[1]).set("x2", to[0]).set("y2", to[1]);
   }
 
   /// Draws the contact, and the surface that the body touches as a line perpendicular to N; in a motion that opens the
@@ -142,7 +140,11 @@ class MechanismDrawing {
     const Point at = view_.pixel(contact.at), across{contact.normal[1], -contact.normal[0]};
     const Point below = moved(at, contact.normal, lifts(contact) ? -opening : 0);
     const double reach = lettered() ? std::min(surface, 0.45 * closest()) : surface;
-    if (has_direction(contact)) line(moved(below, across, -reach), moved(below, across, reach), "frame", 1.5);
+    if (has_direction(contact)) {
+      const Element drawn = line(moved(below, across, -reach), moved(below, across, reach), "frame", 1.5);
+      if (lifts(contact) && !movements_.empty())
+        drawn.set("data-opens", fmt::format("{:.2f} {:.2f}", below[0] - at[0], below[1] - at[1]));
+    }
     svg_.add("circle", lifts(contact) ? "paper frame" : "ink").set("cx", at[0]).set("cy", at[1]).set("r", 3);
     labels_.avoid(LabelBox{at[0] - 4, at[1] - 4, at[0] + 4, at[1] + 4});
   }
@@ -161,18 +163,21 @@ class MechanismDrawing {
     for (const Point& p : outline.points) pixels.push_back({view_.pixel(p)[0], view_.pixel(p)[1]});
     switch (outline.kind) {
       case ShapeKind::polygon:
-        svg_.add("path", css).set("d", closed_path_of(pixels));
+        moving(outline, svg_.add("path", css).set("d", closed_path_of(pixels)));
         pixels.push_back(pixels.front());
         break;
       case ShapeKind::line:
-        svg_.add("path", css).set("d", path_of(pixels));
+        moving(outline, svg_.add("path", css).set("d", path_of(pixels)));
         break;
       case ShapeKind::circle:
-        svg_.add("circle", css).set("cx", pixels[0].x).set("cy", pixels[0].y).set("r", view_.scale * outline.radius);
+        moving(outline, svg_.add("circle", css)
+                            .set("cx", pixels[0].x)
+                            .set("cy", pixels[0].y)
+                            .set("r", view_.scale * outline.radius));
         pixels = round(pixels[0], view_.scale * outline.radius);
         break;
       case ShapeKind::point:
-        svg_.add("circle", "ink").set("cx", pixels[0].x).set("cy", pixels[0].y).set("r", 2.5);
+        moving(outline, svg_.add("circle", "ink").set("cx", pixels[0].x).set("cy", pixels[0].y).set("r", 2.5));
         break;
       case ShapeKind::measure: {
         std::vector<Point> places;
@@ -190,6 +195,21 @@ class MechanismDrawing {
       labels_.avoid({pixels[i - 1].x, pixels[i - 1].y}, {pixels[i].x, pixels[i].y}, 2.5);
     }
   }
+  /// Says of a part how its body moves.
+  void moving(const MechanismGeometry::Outline& outline, const Element& part) const {
+    if (movements_.empty()) return;
+    const BodyMovement& body = movements_[*outline.body];
+    const double cosine = std::cos(geometry_.turned), sine = std::sin(geometry_.turned);
+    const auto turned = [&](Point p) { return Point{p[0] * cosine - p[1] * sine, p[0] * sine + p[1] * cosine}; };
+    const Point about = view_.pixel(turned(body.at));
+    const auto rate = [&](Point along, double turn) {
+      along = turned(along);
+      return fmt::format("{:.6g} {:.6g} {:.6g}", view_.scale * along[0], -view_.scale * along[1], -turn);
+    };
+    part.set("data-about", fmt::format("{:.2f} {:.2f}", about[0], about[1]))
+        .set("data-velocity", rate(body.velocity, body.spin))
+        .set("data-acceleration", rate(body.acceleration, body.turning));
+  }
   static std::vector<Pixel> round(Pixel centre, double radius) {
     constexpr int sides = 24;
     std::vector<Pixel> points;
@@ -198,6 +218,22 @@ class MechanismDrawing {
       points.push_back({centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)});
     }
     return points;
+  }
+
+  /// What moves farther than the picture is wide leaves it.
+  void go_ahead() {
+    constexpr double farthest = 150;
+    const auto frames = outlines_ahead(scene_, *motion_);
+    add_moving_outlines(svg_, frames, seconds_ahead, view_.scale, [this](Point p) { return view_.pixel(p); });
+    const LabelBox now = frame_.drawn();
+    for (const MechanismGeometry::Outline& outline : frames.back()) {
+      for (const Point& point : outline.points) {
+        const Point p = view_.pixel(point);
+        const double r = outline.kind == ShapeKind::circle ? view_.scale * outline.radius : 0;
+        see(LabelBox{std::max(p[0] - r, now.left - farthest), std::max(p[1] - r, now.top - farthest),
+                     std::min(p[0] + r, now.right + farthest), std::min(p[1] + r, now.bottom + farthest)});
+      }
+    }
   }
 
   void table() {
@@ -219,6 +255,10 @@ class MechanismDrawing {
     if (lettered()) notes = weight_words(geometry_, numbers_);
     if (geometry_.movements.size() > most_named)
       std::ranges::copy(movement_words(geometry_), std::back_inserter(notes));
+    if (look_.animated) {
+      notes.emplace_back("moving, in green: half a second of these accelerations");
+      notes.emplace_back("as if they stayed so; no simulation");
+    }
     if (motion_ == nullptr) notes.emplace_back("arrows show positive directions, not to scale");
     const bool forces = std::ranges::any_of(scene_.mechanism.shapes, [](const auto& one) { return bool(one.force); });
     if (motion_ != nullptr && !scene_.mechanism.bodies && !forces)
@@ -242,6 +282,7 @@ class MechanismDrawing {
   const CommonLook& look_;
   const NumberWords numbers_;
   const MechanismGeometry geometry_;
+  std::vector<BodyMovement> movements_;  ///< of bodies, if parts say how they move
   PictureView view_;
   PictureFrame frame_;
   PictureLabels labels_;

@@ -22,6 +22,8 @@ struct CommonLook {
   double largest_force = 0;            ///< the one with the longest arrow; 0: the largest of the picture
   bool brief = false;                  ///< leaves out what is listed below the drawing
   bool is_virtual = false;             ///< velocities are those of a virtual motion, and dotted
+  bool movable = false;                ///< each part says how it moves, where all parts are those of bodies
+  bool animated = false;               ///< outlines go on for half a second of the motion's accelerations
 };
 
 /// The largest force of a motion that has an arrow.
@@ -38,7 +40,9 @@ double picture_height(const MechanismScene& scene, double usual);
 /// positive directions. From eight contacts on, letters name them and a table below says the rest. Forces and contacts
 /// without a place are listed below the drawing. Everything is inside the viewBox. Needs picture_style() in the
 /// document. Throws InputError if the mechanism has no picture, or if a coordinate has no value.
-/// `seen` becomes the box of its viewBox.
+/// `seen` becomes the box of its viewBox. A part that can move has data-about, a place in pixels; data-velocity and
+/// data-acceleration, of this place to the right and down, and of its turn, clockwise, in pixels, radians and seconds.
+/// The surface of a contact that opens has data-opens, how far it is drawn apart.
 Element add_mechanism(const Element& parent, const MechanismScene& scene, const MotionAtLoad* motion,
                       std::string_view title, const CommonLook& look = {}, LabelBox* seen = nullptr);
 

@@ -6,6 +6,7 @@
 
 #include "base/number/binary64.hpp"
 #include "base/number/format.hpp"
+#include "report/scenes/records/record_words.hpp"
 
 namespace slipproof {
 
@@ -233,6 +234,23 @@ std::string coulomb_words(const JudgedProblem& problem, std::size_t answer) {
   const Violation& v = coulomb->residual->worst.front();
   return text + fmt::format(" Worst: {}, {:.2g} % of the largest velocity.", violation_words(v),
                             100 * v.effect / coulomb->residual->scale);
+}
+
+std::string advice(const ContactJudgement& j) {
+  switch (j.verdict) {
+    case ContactVerdict::inaccurate:
+      return tolerance_advice(at_most(j.error)) + " For a better answer: --refine FILE.";
+    case ContactVerdict::not_converged:
+    case ContactVerdict::eps_solution:
+    case ContactVerdict::none_within_rho:
+    case ContactVerdict::wrong:
+      return "To look for a solution: --refine FILE.";
+    case ContactVerdict::ambiguous:
+    case ContactVerdict::solution_within_rho:
+      return j.all || j.others_excluded() ? "" : "To find all solutions: --all.";
+    default:
+      return {};
+  }
 }
 
 std::string contact_words(const JudgedProblem& problem, std::size_t answer) {

@@ -13,6 +13,9 @@ namespace slipproof {
 /// pyramid, or the problem.
 std::string contact_words(const JudgedProblem& problem, std::size_t answer);
 
+/// The option of `certify` that helps after a verdict; empty if none does.
+std::string advice(const ContactJudgement& judgement);
+
 /// What Coulomb's law says of the answer's forces, in a sentence or two; empty where that is what was judged.
 std::string coulomb_words(const JudgedProblem& problem, std::size_t answer);
 

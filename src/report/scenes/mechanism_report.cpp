@@ -13,6 +13,7 @@
 #include "report/picture/motion_words.hpp"
 #include "report/values/every_load.hpp"
 #include "report/values/number_text.hpp"
+#include "report/values/quantity_units.hpp"
 
 namespace slipproof {
 
@@ -27,6 +28,8 @@ class SolveText {
         mechanism_(solved.scene.mechanism),
         accelerations_(acceleration_names(mechanism_)),
         forces_(force_names(mechanism_)),
+        acceleration_units_(acceleration_units(mechanism_)),
+        force_units_(force_units(mechanism_)),
         digits_(digits) {}
 
   Document whole() {
@@ -50,10 +53,11 @@ class SolveText {
   }
 
  private:
-  void write_value(ReportTable& table, const std::string& name, const Range& range) const {
+  void write_value(ReportTable& table, const std::string& name, const Range& range, const std::string& unit) const {
     table.row({name, range.is_point()
-                         ? number_text(*range.lower, digits_)
-                         : "in " + to_string(ForceInterval::between(range.lower, true, range.upper, true))});
+                         ? number_text(*range.lower, digits_, unit)
+                         : "in " + to_string(ForceInterval::between(range.lower, true, range.upper, true)) +
+                               unit_suffix(unit)});
   }
 
   /// As many names as a line holds, and how many more there are.
@@ -74,9 +78,11 @@ class SolveText {
     if (!motion.continua.empty()) below.line("in the continuum of " + first_of(motion.continua, ", in that of "));
     ReportTable& table = below.table({{"", ""}});
     for (std::size_t i = 0; i < accelerations_.size(); ++i) {
-      table.row({accelerations_[i], number_text(motion.accelerations[i], digits_)});
+      table.row({accelerations_[i], number_text(motion.accelerations[i], digits_, acceleration_units_[i])});
     }
-    for (std::size_t i = 0; i < forces_.size(); ++i) write_value(table, forces_[i], motion.forces[i]);
+    for (std::size_t i = 0; i < forces_.size(); ++i) {
+      write_value(table, forces_[i], motion.forces[i], force_units_[i]);
+    }
   }
 
   void write_continuum(Document& document, const MotionsAtLoad& found, const ContinuumAtLoad& continuum) const {
@@ -86,9 +92,11 @@ class SolveText {
     if (!inside.empty()) below.line("contains the motions of " + first_of(inside, ", "));
     ReportTable& table = below.table({{"", ""}});
     for (std::size_t i = 0; i < accelerations_.size(); ++i) {
-      write_value(table, accelerations_[i], continuum.accelerations[i]);
+      write_value(table, accelerations_[i], continuum.accelerations[i], acceleration_units_[i]);
     }
-    for (std::size_t i = 0; i < forces_.size(); ++i) write_value(table, forces_[i], continuum.forces[i]);
+    for (std::size_t i = 0; i < forces_.size(); ++i) {
+      write_value(table, forces_[i], continuum.forces[i], force_units_[i]);
+    }
   }
 
   /// One by one, or, if that takes more than some pages, counted by what is violated.
@@ -99,7 +107,7 @@ class SolveText {
         document_.section("Rejected, with what is violated", {0, 4}).table({{{"", false, 12}, {"", false, 14}, ""}});
     for (const RejectedMode& mode : rejected) {
       std::vector<ReportCell> cells{name(mode.mode), what_is_broken(mechanism_, mode)};
-      if (mode.margin) cells.emplace_back(number_text(*mode.margin, digits_));
+      if (mode.margin) cells.emplace_back(number_text(*mode.margin, digits_, {}, 28));
       table.row(std::move(cells));
     }
   }
@@ -164,7 +172,7 @@ class SolveText {
   const SolvedMechanism& solved_;
   const std::optional<EveryLoad>& every_q_;
   const Mechanism& mechanism_;
-  std::vector<std::string> accelerations_, forces_;
+  std::vector<std::string> accelerations_, forces_, acceleration_units_, force_units_;
   int digits_;
   Document document_;
 };
@@ -174,7 +182,7 @@ class SolveText {
 Document scene_document(const MechanismScene& scene, const std::string& about) {
   Document document;
   document.title(scene.name + ": " + about);
-  for (const std::string& note : scene.notes) document.line("note: " + note);
+  for (const std::string& note : scene.notes) document.paragraph("note: " + note);
   for (const MechanismContact& contact : scene.mechanism.contacts) {
     for (const std::size_t parameter : missing_for_lift(contact, scene.values.given)) {
       document.line(fmt::format("note: without {} the contact {} does not open: that is not modelled",

@@ -12,6 +12,7 @@
 #include "report/values/mode_json.hpp"
 #include "report/values/motions_json.hpp"
 #include "report/values/number_text.hpp"
+#include "report/values/quantity_units.hpp"
 
 namespace slipproof {
 
@@ -52,7 +53,7 @@ class SpaceText {
     return std::ranges::any_of(solved_.motions, [](const SpaceMotion& m) { return m.others_within.has_value(); });
   }
 
-  std::string text_of(const Range& range) const { return range_text(range, digits_); }
+  std::string text_of(const Range& range, const std::string& unit) const { return range_text(range, digits_, unit); }
 
   void write(Document& document, const SpaceMotion& motion) const {
     Document& below = document.section(mode_of(motion) + (motion.strict ? "  (strict)" : ""));
@@ -82,18 +83,22 @@ class SpaceText {
     };
     for (std::size_t i = 0; i < m_.contacts.size(); ++i) {
       const auto slips = [&](const SpaceMotion& one) {
-        return one.slips[i] ? text_of(*one.slips[i]) + " degrees" : std::string();
+        return one.slips[i] ? text_of(*one.slips[i], "degrees") : std::string();
       };
       if (motion.slips[i]) row(m_.contacts[i].name + " slips at", slips, "");
     }
-    const std::vector<std::string> accelerations = acceleration_names(m_), forces = force_names(m_);
+    const std::vector<std::string> accelerations = acceleration_names(m_), forces = force_names(m_),
+                                   of_accelerations = acceleration_units(m_), of_forces = force_units(m_);
     for (std::size_t i = 0; i < accelerations.size(); ++i) {
-      const auto own = [&](const SpaceMotion& one) { return text_of(one.accelerations[i]); };
-      row(accelerations[i], own, motion.is_continuum() ? text_of(motion.all_accelerations[i]) : "");
+      const auto own = [&](const SpaceMotion& one) { return text_of(one.accelerations[i], of_accelerations[i]); };
+      row(accelerations[i], own,
+          motion.is_continuum() ? text_of(motion.all_accelerations[i], of_accelerations[i]) : "");
     }
     for (std::size_t i = 0; i < forces.size(); ++i) {
-      row(
-          forces[i], [&](const SpaceMotion& one) { return one.forces[i] ? text_of(*one.forces[i]) : "open"; }, "");
+      const auto own = [&](const SpaceMotion& one) {
+        return one.forces[i] ? text_of(*one.forces[i], of_forces[i]) : "open";
+      };
+      row(forces[i], own, "");
     }
   }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/number/format.hpp"
+#include "report/values/quantity_units.hpp"
 
 namespace slipproof {
 
@@ -14,11 +15,11 @@ std::string end(const std::optional<Rational>& x, const char* infinite, int digi
 
 }  // namespace
 
-std::string number_text(const Rational& x, int digits) {
+std::string number_text(const Rational& x, int digits, const std::string& unit, std::size_t longest) {
   const std::string exact = exact_text(x);
-  const std::string decimal = decimal_text(x, digits);
-  if (exact == decimal) return exact;
-  constexpr std::size_t longest = 60;
+  std::string decimal = decimal_text(x, digits);
+  if (exact == decimal) return exact + unit_suffix(unit);
+  decimal += unit_suffix(unit);
   if (exact.size() > longest) return fmt::format("{:<14} = a fraction of {} digits", decimal, exact.size());
   return fmt::format("{:<14} = {}", decimal, exact);
 }
@@ -29,12 +30,13 @@ std::string interval_text(std::string_view symbol, const ForceInterval& i, int d
                      end(i.upper(), "+oo", digits), i.upper_closed() ? ']' : ')');
 }
 
-std::string range_text(const Range& range, int digits) {
+std::string range_text(const Range& range, int digits, const std::string& unit) {
   if (!range.lower || !range.upper) return "unbounded";
-  if (range.is_point()) return number_text(*range.lower, digits);
+  if (range.is_point()) return number_text(*range.lower, digits, unit);
   const std::string about = decimal_text(*range.lower, digits);
-  if (about == decimal_text(*range.upper, digits)) return about + "...";
-  return "in [" + decimal_text(*range.lower, digits + 6) + ", " + decimal_text(*range.upper, digits + 6) + "]";
+  if (about == decimal_text(*range.upper, digits)) return about + "..." + unit_suffix(unit);
+  return "in [" + decimal_text(*range.lower, digits + 6) + ", " + decimal_text(*range.upper, digits + 6) + "]" +
+         unit_suffix(unit);
 }
 
 std::string short_text(const Rational& x, int digits) {

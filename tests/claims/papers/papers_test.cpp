@@ -85,9 +85,11 @@ TEST_CASE("every statement of every paper has a certificate that tests/proofs/ch
 }
 
 TEST_CASE("mutants of the papers do not survive") {
-  // SLIPPROOF_MUTANTS_EVERY=1: all of them.
+  // A few mutants of every third paper; SLIPPROOF_MUTANTS_EVERY=1: all of them, of all papers.
   const char* every = std::getenv("SLIPPROOF_MUTANTS_EVERY");
+  std::size_t turn = 0;
   for (const auto& folder : folders()) {
+    if (turn++ % 3 != 0 && every == nullptr) continue;
     if (folder.filename() == "rozenblat-yashin") continue;  // tests/claims/verify
     if (folder.filename() == "two-wheeler") continue;       // a few survive: its README, What remains open
     if (folder.filename() == "rest-on-slope") continue;     // conditions with room to spare: its README

@@ -65,7 +65,8 @@ TEST_CASE("for an unknown command the nearest one is proposed") {
   const auto near = run({"slove", city_bicycle});
   CHECK(near.exit_code == 2);
   CHECK(near.out.empty());
-  CHECK(near.err.find("unknown command 'slove': did you mean 'solve'?") != std::string::npos);
+  CHECK(near.err.find("unknown command 'slove': did you mean 'solve'? expected one of solve, rest, ") !=
+        std::string::npos);
   CHECK(run({"frobnicate"}).err.find("unknown command 'frobnicate': expected one of solve, rest, impact, show, ") !=
         std::string::npos);
   CHECK(run({}).exit_code == 2);
@@ -82,4 +83,22 @@ TEST_CASE("ranges of a map take exact numbers, and nothing that merely begins li
   CHECK(run({"map", city_bicycle, "--columns", "2", "--x-range", "1/3", "0x10"}).exit_code == 0);
   CHECK(run({"map", city_bicycle, "--columns", "2", "--y", "F"}).exit_code == 0);
   CHECK(run({"map", "--help"}).out.find("--y ") != std::string::npos);  // of a mechanism it chooses the load
+}
+
+TEST_CASE("of unknown options, papers, claims and parameters the known ones are listed") {
+  const auto refused = [](const std::vector<std::string>& arguments, int code, const std::string& message) {
+    CAPTURE(message);
+    const auto end = run(arguments);
+    CHECK(end.exit_code == code);
+    CHECK(end.out.empty());
+    CHECK(end.err.find(message) != std::string::npos);
+  };
+  refused({"solve", city_bicycle, "--lod", "3"}, 2,
+          "unknown option '--lod', did you mean '--load'? expected one of --digits, ");
+  refused({"certify", "-", "--anser", "x"}, 2, "unknown option '--anser', did you mean '--answer'?");  // in a group
+  refused({"verify", "lader"}, 3, "unknown paper 'lader', did you mean 'ladder'? expected one of block-on-incline, ");
+  refused({"verify", "ladder", "--only", "Z"}, 3, "unknown claim 'Z', expected one of ");
+  refused({"critical", city_bicycle, "--x", "foo"}, 3,
+          "unknown parameter of the scene 'foo', expected one of M, R, h, ");
+  CHECK(run({"verify", "ladder", "--only", "Q1", "--samples", "5", "--lines", "0"}).exit_code == 0);
 }

@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -32,6 +34,31 @@ Shelled shell(const std::filesystem::path& folder, const std::string& line) {
                               "; } 2>" + quoted(err.string());
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(err)};
+}
+
+/// What the program writes to a terminal, without the carriage returns of one.
+std::string on_terminal(const std::filesystem::path& folder, const std::string& arguments,
+                        const std::string& environment = "TERM=dumb") {
+  shell(folder, "env " + environment + " script -qec \"$slipproof " + arguments + "\" typescript >shown </dev/null");
+  std::string text = read_file(folder / "shown");
+  std::erase(text, '\r');
+  const std::string cleared = "\033[K";
+  for (std::size_t end = text.find(cleared); end != text.npos; end = text.find(cleared)) {  // a line of progress
+    const std::size_t begin = text.rfind('\n', end) + 1;
+    text.erase(begin, end + cleared.size() - begin);
+  }
+  return text;
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::size_t widest_line(const std::string& text) {
+  std::size_t widest = 0;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) widest = std::max(widest, line.size());
+  return widest;
 }
 
 /// A copy of a small paper that may be overwritten.
@@ -204,4 +231,84 @@ TEST_CASE("the report as Markdown ends as the text does, and is not asked for to
     CHECK(with("--quiet").out == status);
   }
   CHECK(run({"critical", scenes + "ladder.toml", "--json", "--markdown"}).exit_code == 2);
+}
+
+TEST_CASE("certify answers in words on a terminal, with what to change, and in JSON elsewhere") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory_symlink(sources + "/cases", folder.path() / "cases");
+  folder.write("answers.csv",
+               "F,mode,a,S2,S3,N2,N3\n3.27,stick/stick,2.9727272727272727,3.1213636363636363,-0.14863636363636363,"
+               "9.642784090909091,0.16721590909090908\n3.2,stick/slip+,3,3.05,-0.05,9.75,0.06\n");
+  const std::string ambiguous = "certify --scene cases/ambiguous.toml answers.csv";
+  const std::string words = on_terminal(folder.path(), ambiguous);
+  CAPTURE(words);
+  CHECK(words.starts_with("record 1: ambiguous\n  It is the motion stick/stick, "));
+  CHECK(has(words, "\n  3 motions exist:\n    stick/stick: a=2.97273, "));
+  CHECK(has(words,
+            "record 2: wrong\n  It claims the mode stick/slip+, which violates N3 >= 0: the margin is\n  -0.50125.\n"));
+  CHECK_FALSE(has(words, "{"));
+  CHECK(widest_line(words) <= 80);
+  CHECK(on_terminal(folder.path(), ambiguous + " --json").starts_with("{\"record\":1,"));
+  CHECK(run({"certify", "--scene", sources + "/cases/ambiguous.toml", folder.path() / "answers.csv"})
+            .out.starts_with("{\"record\":1,"));
+
+  // The tolerance that is advised is one that helps.
+  folder.write("belt.csv", "mu,ax,ay,az,alphax,alphay,alphaz\n0.3,2.3545,-1.7658,0,-88.29,-117.72,0\n");
+  const std::string belt = "certify --scene cases/space/ball-on-belt.toml belt.csv";
+  const std::string inaccurate = on_terminal(folder.path(), belt), advice = "To accept it: --tolerance ";
+  REQUIRE(has(inaccurate, advice));
+  const std::size_t begin = inaccurate.find(advice) + advice.size();
+  const std::string tolerance = inaccurate.substr(begin, inaccurate.find(".\n", begin) - begin);
+  CHECK(has(on_terminal(folder.path(), belt + " --tolerance " + tolerance), "s CERTIFIED 1/1\n"));
+  CHECK_FALSE(has(on_terminal(folder.path(), belt + " --tolerance 1e-5"), "s CERTIFIED"));
+
+  const std::string one = on_terminal(folder.path(), "certify cases/contact-problems/pushed-block.json");
+  CHECK_FALSE(has(one, "{"));
+  CHECK(has(one, "To find all solutions: --all."));
+  CHECK(widest_line(one) <= 80);
+}
+
+TEST_CASE("results are coloured on a terminal that has colours, unless NO_COLOR says no") {
+  const TemporaryFolder folder;
+  const std::string command = "solve " + city_bicycle + " --load 1", green = "\033[1;32ms SOLVED ";
+  CHECK(has(on_terminal(folder.path(), command, "TERM=xterm"), green));
+  CHECK(has(on_terminal(folder.path(), command, "TERM=xterm NO_COLOR="), green));
+  for (const std::string environment : {"TERM=dumb", "TERM=xterm NO_COLOR=1"}) {
+    CHECK_FALSE(has(on_terminal(folder.path(), command, environment), "\033"));
+  }
+  CHECK_FALSE(has(run({"solve", city_bicycle}).out, "\033"));
+}
+
+TEST_CASE("help is at most 80 columns wide, has groups of options, and examples that run") {
+  const TemporaryFolder folder;
+  for (const char* name : {"cases", "proofs"}) {
+    std::filesystem::create_directory_symlink(sources + "/" + name, folder.path() / name);
+  }
+  const std::string whole = run({"--help"}).out;
+  CHECK(widest_line(whole) <= 80);
+  std::istringstream lines(whole.substr(whole.find("Subcommands:")));
+  std::size_t commands = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("  ") || line.size() < 4 || line[2] == ' ') continue;
+    const std::string name = line.substr(2, line.find(' ', 2) - 2), help = run({name, "--help"}).out;
+    CAPTURE(name);
+    ++commands;
+    CHECK(widest_line(help) <= 80);
+    const std::string begin = "\n  slipproof " + name + " ";
+    REQUIRE(has(help, begin));
+    const bool is_long = name == "trade" || name == "prove" || name == "report";  // they take seconds
+    if (is_long || name == "import") continue;  // which needs parsers that a build may lack
+    for (std::size_t at = help.find(begin); at != help.npos; at = help.find(begin, at + 1)) {
+      const std::string example = help.substr(at + 13, help.find('\n', at + 1) - at - 13);
+      CAPTURE(example);
+      const auto end = shell(folder.path(), "$slipproof " + example + " >/dev/null");
+      CHECK((end.exit_code == 0 || end.exit_code == 1));
+      CHECK(end.err.empty());
+    }
+  }
+  CHECK(commands >= 19);
+  const std::string help = run({"certify", "--help"}).out;
+  for (const char* group : {"\nOutput:\n", "\nWork:\n", "\nContact problems: ", "\nContinuous integration: "}) {
+    CHECK(has(help, group));
+  }
 }

@@ -1,6 +1,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <pugixml.hpp>
 
 #include "support/replaced.hpp"
 #include "support/run_program.hpp"
@@ -77,5 +81,40 @@ TEST_CASE("what looks wrong in a mechanism is told wherever it is used, and its 
     std::vector<std::string> quiet = command;
     quiet.emplace_back("--quiet");
     CHECK(run(quiet).err.empty());
+  }
+}
+
+TEST_CASE("draw --animate lets a ball roll by half of its acceleration times the square of half a second") {
+  const std::string cases = SLIPPROOF_SOURCE_DIR "/cases/";
+  const std::string ball = cases + "engines/scenes/one-motion/ball-rolls-down-slope.toml";
+  const auto drawn = run({"draw", ball, "--motion", "1", "--animate"});
+  REQUIRE(drawn.exit_code == 0);
+  pugi::xml_document svg;
+  REQUIRE(svg.load_string(drawn.out.c_str()));
+  const pugi::xml_node ahead = svg.select_node("//g[@class='moves ahead']").node();
+  // The disc: it rolls, so that its centre moves by its radius times the angle, 981/182 / 8 clockwise.
+  const double angle = 981.0 / 182 / 8;
+  const pugi::xml_node disc = ahead.child("circle");
+  double x = 0, y = 0, turned = 0;
+  REQUIRE(std::sscanf(disc.attribute("transform").value(), "translate(%lf,%lf)", &x, &y) == 2);
+  const double moved = std::hypot(x - disc.attribute("cx").as_double(), y - disc.attribute("cy").as_double());
+  CHECK(moved == doctest::Approx(disc.attribute("r").as_double() * angle).epsilon(0.001));
+  const pugi::xml_node spoke = svg.select_node("//g[@class='moves ahead']/path[last()]").node();
+  REQUIRE(std::sscanf(spoke.attribute("transform").value(), "translate(%lf,%lf) rotate(%lf)", &x, &y, &turned) == 3);
+  CHECK(turned == doctest::Approx(angle * 180 / std::numbers::pi).epsilon(0.001));
+  CHECK(drawn.out.find("prefers-reduced-motion:reduce") != std::string::npos);
+  CHECK(drawn.out.find("no simulation") != std::string::npos);
+  CHECK(run({"draw", ball, "--motion", "1"}).out.find("ahead") == std::string::npos);
+
+  for (const std::vector<std::string>& refused :
+       {std::vector<std::string>{city_bicycle, "--motion", "1"},  // by equations
+        std::vector<std::string>{ball, "--motion", "all"}, std::vector<std::string>{ball},
+        std::vector<std::string>{cases + "space/domino.toml", "--motion", "1"}}) {
+    std::vector<std::string> arguments{"draw", "--animate"};
+    arguments.insert(arguments.end(), refused.begin(), refused.end());
+    const auto end = run(arguments);
+    CHECK(end.exit_code == 3);
+    CHECK(end.out.empty());
+    CHECK(end.err.find("--animate") != std::string::npos);
   }
 }

@@ -101,3 +101,21 @@ TEST_CASE("bad scenes exit with 3 and name the place; nothing on standard output
   CHECK(run({"solve", folder.path() / "missing.toml"}).exit_code == 3);
   CHECK(run({"solve", folder.path()}).exit_code == 3);
 }
+
+TEST_CASE("results have the units of the file, and those that follow") {
+  const std::string cases = SLIPPROOF_SOURCE_DIR "/cases/";
+  const auto solved = [&](const std::string& scene) { return run({"solve", cases + scene}).out; };
+  const auto has = [](const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+  };
+  const std::string bicycle = solved("three-motions/three-motions.toml");
+  // In the file, by a coefficient of 1 in the gap, and in the file.
+  CHECK(has(bicycle, "    a     0.477273 m/s^2 = 21/44\n"));
+  CHECK(has(bicycle, "    gap2  0 m/s^2\n"));
+  CHECK(has(bicycle, "    N2    0.957386 N     = 337/352\n"));
+  CHECK(has(solved("space/domino.toml"), "    N_back_right        0 N\n"));
+  // A file without units has none.
+  const std::string ball = solved("engines/scenes/one-motion/ball-rolls-down-slope.toml");
+  CHECK(has(ball, "    alpha     -5.39011       = -981/182\n"));
+  CHECK(has(ball, "    gap_tyre  0\n"));
+}

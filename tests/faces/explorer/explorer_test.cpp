@@ -5,15 +5,22 @@
 #include <doctest/doctest.h>
 
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
 
 #include "base/input/diagnostic.hpp"
+#include "base/number/parse.hpp"
 #include "contact/problem/every_push.hpp"
 #include "contact/space/solve_space.hpp"
 #include "mechanics/reading/read_mechanism.hpp"
 #include "mechanics/scene/solve_mechanism.hpp"
+#include "records/certify/certify.hpp"
+#include "records/record/bicycle_records.hpp"
 #include "report/explorer/explorer_page.hpp"
 #include "report/explorer/space_page.hpp"
 #include "report/scenes/mechanism_report.hpp"
@@ -111,6 +118,106 @@ TEST_CASE("what the explorer cannot answer, it says") {
     CAPTURE(bad);
     CHECK_FALSE(mistake(bad).empty());
   }
+}
+
+namespace {
+
+/// With its mechanism's file where the explorer looks for it.
+Explorer opened(const MechanismScene& scene) {
+  const PortableScene given = portable(scene);
+  std::ofstream(given.mechanism) << given.file;
+  return Explorer(given);
+}
+
+}  // namespace
+
+TEST_CASE("pasted answers are judged as certify judges them") {
+  const MechanismScene scene = read_scene(shipped_cases + "ambiguous.toml");
+  const Explorer explorer(portable(scene));
+  const auto judged = [&](const std::string& text) { return answer(explorer, {{"pasted", text}}); };
+  const auto certified = [&](const std::string& text, bool of_scene) {
+    CertifyOptions options;
+    options.judge.tolerance = of_scene ? options.judge.tolerance : options.contact.tolerance;
+    if (of_scene) options.mechanism = CertifiedMechanism(scene);
+    std::istringstream input(text);
+    AnswerJson lines = AnswerJson::array();
+    certify(
+        input,
+        [&](std::string_view some) {
+          std::istringstream each{std::string(some)};
+          for (std::string line; std::getline(each, line);) lines.push_back(AnswerJson::parse(line));
+        },
+        options);
+    for (AnswerJson& line : lines) line.erase("tier"), line.erase("max_relative_error");  // a bound, by either
+    return lines;
+  };
+  const auto alike = [&](const std::string& text, bool of_scene) {
+    AnswerJson lines = judged(text)["judged"];
+    for (AnswerJson& line : lines) line.erase("tier"), line.erase("max_relative_error");
+    CHECK(lines == certified(text, of_scene));
+    return lines;
+  };
+  std::ifstream problems(shipped_cases + "contact-problems/examples.jsonl");
+  std::size_t count = 0;
+  for (std::string line; std::getline(problems, line); ++count) alike(line, false);
+  CHECK(count == 10);
+  // The first motion, the same with another a, and with NaN.
+  const AnswerJson motion = answer(explorer, AnswerJson::object())["solve"]["motions"][0];
+  std::string names, right, wrong, broken;
+  for (const char* kind : {"accelerations", "forces"}) {
+    for (const auto& [symbol, value] : motion[kind].items()) {
+      std::ostringstream number;
+      number << std::setprecision(17) << parse_rational(value.get<std::string>()).to_double() << ',';
+      names += symbol + ",", right += number.str();
+      wrong += symbol == "a" ? "1," : number.str(), broken += symbol == "a" ? "nan," : number.str();
+    }
+  }
+  const AnswerJson records = alike(names + "mode\n" + right + "\n" + wrong + "\n" + broken + "\n", true);
+  CHECK(records[0]["verdict"] == "ambiguous");
+  CHECK(records[1]["verdict"] == "wrong");
+  CHECK(records[2]["verdict"] == "invalid");
+  // A problem over several lines, and what is nothing of all this.
+  CHECK(judged("{\"W\": [[1, 0],\n[0, 1]], \"q\": [-9.81, 0.5],\n\"mu\": 0.3, \"r\": [9.81, -0.5]}")["judged"][0]
+                                                                                                    ["verdict"] ==
+        "certified");
+  for (const char* text :
+       {"", " \n", "a,S2\n", "a,S2,S3,N2,N3\n", "{\"W\": [[1", "7",
+        "{\"dimension\": 3, \"W\": [[1,0,0],[0,1,0],[0,0,1]], \"q\": [1,0,0], \"mu\": 1, \"r\": [0,0,0]}"}) {
+    CAPTURE(text);
+    CHECK(judged(text).contains("mistakes"));
+  }
+}
+
+TEST_CASE("the pictures of a scene of bodies say how they move: a wheel that rolls turns as far as it goes") {
+  const Explorer explorer = opened(read_scene(shipped_cases + "three-motions/drawn.toml"));
+  const AnswerJson found = answer(explorer, AnswerJson::object());
+  REQUIRE(found["pictures"].size() == 3);
+  std::size_t rolling = 0, not_rolling = 0;
+  for (const AnswerJson& picture : found["pictures"]) {
+    const std::string svg = picture["svg"];
+    CHECK((svg.find("data-opens") != std::string::npos) == (picture["title"] == "stick/lift"));
+    // The wheels are the two largest circles, the rear one first.
+    const std::regex circle(R"re(<circle class="body"[^>]* r="([^"]*)"[^>]*data-acceleration="(\S+) (\S+) ([^"]*)")re");
+    std::vector<bool> rolls;
+    double largest = 0;
+    for (std::sregex_iterator at(svg.begin(), svg.end(), circle), end; at != end; ++at) {
+      largest = std::max(largest, std::stod((*at)[1]));
+    }
+    for (std::sregex_iterator at(svg.begin(), svg.end(), circle), end; at != end; ++at) {
+      const double radius = std::stod((*at)[1]), along = std::stod((*at)[2]), turn = std::stod((*at)[4]);
+      if (radius < 0.9 * largest) continue;
+      rolls.push_back(std::abs(along - radius * turn) < 1e-3 * std::abs(along));
+    }
+    CAPTURE(svg);
+    REQUIRE(rolls.size() == 2);
+    for (const bool one : rolls) ++(one ? rolling : not_rolling);
+    CHECK(rolls[0]);
+    CHECK(rolls[1] == (picture["title"] == "stick/stick"));
+  }
+  CHECK(rolling == 4);
+  CHECK(not_rolling == 2);
+  const Explorer by_equations(portable(read_scene(shipped_cases + "three-motions/three-motions.toml")));
+  CHECK(by_equations.answer("{}").find("data-about") == std::string::npos);
 }
 
 TEST_CASE("the page holds the scene, and no name can end its element") {

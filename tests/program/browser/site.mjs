@@ -1,6 +1,7 @@
 // What a reader of the site meets in a browser, from a file: the front page with its explorer, and pages that are found.
 import assert from 'node:assert/strict';
-import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { spawnSync } from 'node:child_process';
+import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join, resolve } from 'node:path';
 import { after, before, test } from 'node:test';
@@ -16,8 +17,8 @@ before(async () => {
 });
 after(async () => browser?.close());
 
-async function open(file, { width = 1400, colorScheme = 'light' } = {}) {
-  const context = await browser.newContext({ viewport: { width, height: 900 }, colorScheme });
+async function open(file, { width = 1400, colorScheme = 'light', reducedMotion = 'no-preference' } = {}) {
+  const context = await browser.newContext({ viewport: { width, height: 900 }, colorScheme, reducedMotion });
   const page = await context.newPage();
   page.wrong = [];
   page.on('pageerror', error => page.wrong.push(String(error)));
@@ -34,18 +35,148 @@ function* pages(folder) {
   }
 }
 
-test('the front page runs the explorer, alone, at every width, in light and dark', async () => {
-  for (const [width, colorScheme] of [[1400, 'light'], [800, 'dark'], [400, 'light']]) {
-    const page = await open('index.html', { width, colorScheme });
-    const frame = await (await page.waitForSelector('iframe.explorer')).contentFrame();
-    await frame.waitForSelector('body[data-ready]', { timeout: 60000 });
-    assert.equal(await frame.locator('#pictures figure').count(), 3);
+const looks = [[1400, 'light'], [1400, 'dark'], [800, 'light'], [800, 'dark'], [400, 'light'], [400, 'dark']];
+
+async function front(options) {
+  const page = await open('index.html', options);
+  await page.waitForSelector('body[data-ready]', { timeout: 60000 });
+  return page;
+}
+
+test('the front page needs nothing else, fits every width, and has nothing for axe-core, in light and dark', async () => {
+  for (const [width, colorScheme] of looks) {
+    const page = await front({ width, colorScheme });
+    assert.equal(await page.locator('#pictures figure').count(), 3);
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `wider than ${width}`);
-    await page.evaluate(axe);
-    const { violations } = await page.evaluate(() => axe.run({ runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa'] }));
-    assert.deepEqual(violations.map(v => `${v.id}: ${v.nodes[0].html}`), []);
+    await page.waitForFunction(() => document.querySelector('#map .drawing') && !document.querySelector('#map').classList.contains('stale'));
+    for (const frame of page.frames()) {
+      await frame.evaluate(axe);
+      const { violations } = await frame.evaluate(() => axe.run());
+      assert.deepEqual(violations.map(v => `${frame.url()}: ${v.id}: ${v.nodes[0].html}`), []);
+    }
     assert.deepEqual(page.wrong, []);
+    await page.context().close();
   }
+});
+
+// Processor time of a page's main thread in milliseconds, which other programs on the machine do not lengthen.
+async function clock(page) {
+  const client = await page.context().newCDPSession(page);
+  await client.send('Performance.enable', { timeDomain: 'threadTicks' });
+  return async () => {
+    const { metrics } = await client.send('Performance.getMetrics');
+    return 1000 * metrics.find(({ name }) => name === 'TaskDuration').value;
+  };
+}
+
+test('the front page has at most 6 MB, and answers within 2 seconds', async () => {
+  const bytes = ['index.html', 'stand.html'].reduce((sum, name) => sum + statSync(join(site, name)).size, 0);
+  const page = await (await browser.newContext()).newPage();
+  const busy = await clock(page);
+  const start = performance.now();
+  await page.goto(pathToFileURL(join(site, 'index.html')).href);
+  await page.waitForSelector('body[data-ready]');
+  const [elapsed, worked] = [performance.now() - start, await busy()];
+  console.log(`${bytes} bytes; interactive after ${Math.round(worked)} ms of processor time, ${Math.round(elapsed)} ms in all`);
+  assert.ok(bytes <= 6e6);
+  assert.ok(worked < 2000);
+});
+
+test('dragging the bicycle gives 60 frames a second', async () => {
+  const page = await front({ reducedMotion: 'reduce' });
+  const busy = await clock(page);
+  const slider = page.getByRole('slider', { name: 'F', exact: true });
+  await slider.scrollIntoViewIfNeeded();
+  const box = await slider.boundingBox();
+  await page.evaluate(() => {
+    window.frames_seen = 0;
+    const count = () => { ++window.frames_seen; requestAnimationFrame(count); };
+    requestAnimationFrame(count);
+  });
+  const drag = async steps => {  // each step is a frame with another value
+    for (let i = 0; i < steps; ++i) {
+      await page.mouse.move(box.x + box.width * (0.5 + 0.4 * Math.sin(i / 5)), box.y + box.height / 2);
+      await page.evaluate(() => new Promise(resolve => requestAnimationFrame(() => setTimeout(resolve))));
+    }
+  };
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await drag(60);  // the browser compiles what runs often
+  const [start, before, frames] = [performance.now(), await busy(), await page.evaluate(() => window.frames_seen)];
+  await drag(120);
+  const [elapsed, worked, seen] = [performance.now() - start, await busy() - before, await page.evaluate(() => window.frames_seen) - frames];
+  await page.mouse.up();
+  console.log(`a frame takes ${(worked / seen).toFixed(1)} ms of processor time; ${(1000 * seen / elapsed).toFixed(0)} frames a second here`);
+  assert.ok(seen >= 120);
+  assert.ok(worked / seen < 1000 / 60);
+});
+
+test('the motions move, unless somebody asks for less motion, and then show their end', async () => {
+  const places = page => page.evaluate(() => [...document.querySelectorAll('#pictures .drawing')].map(host =>
+    host.shadowRoot.querySelector('[data-about]').getAttribute('transform')));
+  for (const reducedMotion of ['no-preference', 'reduce']) {
+    const page = await front({ reducedMotion });
+    const button = page.getByRole('button', { name: 'Move', exact: true });
+    const moves = reducedMotion === 'no-preference';
+    assert.equal(await button.getAttribute('aria-pressed'), String(moves));
+    if (!moves) await button.click();
+    await page.waitForFunction(() => /Half a second/.test(document.querySelector('#move-note').textContent));
+    const before = await places(page);
+    await page.waitForTimeout(400);
+    assert.equal(JSON.stringify(await places(page)) !== JSON.stringify(before), moves);
+    assert.equal(new Set(before).size, 3);
+    await button.click();
+    assert.ok((await places(page)).every(text => text.startsWith('translate(0 0) rotate(0 ')));
+    await page.context().close();
+  }
+});
+
+test('pasted answers get the verdicts of the program', async () => {
+  const page = await front();
+  const verdicts = () => page.locator('#judged strong').allTextContents();
+  for (const [example, verdict] of [['right', 'certified'], ['wrong', 'wrong'], ['one of several', 'ambiguous'], ['a record of this scene', 'ambiguous']]) {
+    await page.locator('#judged').evaluate(list => list.replaceChildren());
+    await page.getByRole('button', { name: example, exact: true }).click();
+    await page.waitForSelector('#judged strong');
+    assert.deepEqual(await verdicts(), [verdict]);
+  }
+  const problems = readFileSync(join(process.env.PROJECT, 'cases/contact-problems/examples.jsonl'), 'utf8').trim().split('\n');
+  const run = spawnSync(process.env.SLIPPROOF, ['certify', '-'], { input: problems.join('\n') + '\n', encoding: 'utf8' });
+  const expected = run.stdout.split('\n').filter(line => line.startsWith('{')).map(line => JSON.parse(line));
+  assert.equal(expected.length, problems.length);
+  for (const [i, problem] of problems.entries()) {
+    await page.locator('#pasted').fill(problem);
+    await page.getByRole('button', { name: 'Judge' }).click();
+    const found = JSON.parse(await page.locator('#judged code').first().textContent());
+    assert.deepEqual({ ...found, record: i + 1 }, expected[i]);
+  }
+  await page.locator('#pasted').fill('{"W": [[1');
+  await page.getByRole('button', { name: 'Judge' }).click();
+  assert.notEqual(await page.locator('#pasted-mistakes').textContent(), '');
+  assert.deepEqual(await verdicts(), []);
+});
+
+test('the front page is used by the keyboard alone', async () => {
+  const page = await front({ reducedMotion: 'reduce' });
+  const at = () => page.evaluate(() => document.activeElement.id || document.activeElement.getAttribute('aria-label') || document.activeElement.textContent.trim());
+  const reached = [];
+  for (let i = 0; i < 80 && reached.at(-1) !== 'stand'; ++i) {
+    await page.keyboard.press('Tab');
+    reached.push(await page.evaluate(() => document.activeElement.tagName) === 'IFRAME' ? 'stand' : await at());
+  }
+  for (const part of ['Skip to the bicycle', 'F', 'f', 'move', 'map', 'numbers', 'pasted', 'judge', 'stand']) {
+    assert.ok(reached.includes(part), `${part} is not reached: ${reached.join(', ')}`);
+  }
+  await page.getByRole('slider', { name: 'f', exact: true }).focus();
+  const before = await page.locator('#numbers').textContent();
+  await page.keyboard.press('Home');
+  await page.waitForFunction(text => document.querySelector('#numbers').textContent !== text, before);
+  const frame = page.frames().find(one => one.url().endsWith('stand.html'));
+  const drawing = () => frame.locator('#picture').innerHTML();
+  const still = await drawing();
+  await frame.locator('#picture').focus();
+  await page.keyboard.press('ArrowLeft');
+  assert.notEqual(await drawing(), still);
 });
 
 test('every link of the front page and of the pages leads to a file', () => {

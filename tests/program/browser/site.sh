@@ -12,4 +12,4 @@ cp "$here/package.json" "$here/package-lock.json" "$here/site.mjs" "$folder/"
 cd "$folder"
 npm ci --ignore-scripts --no-audit --no-fund >npm.log 2>&1 || { cat npm.log; echo "skipped: npm ci failed"; exit 77; }
 "$project/src/faces/site/build.sh" "$(dirname "$slipproof")" site
-node --test --test-reporter=spec site.mjs
+SLIPPROOF="$slipproof" PROJECT="$project" node --test --test-reporter=spec site.mjs

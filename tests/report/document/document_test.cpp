@@ -23,6 +23,16 @@ bool found_in(const std::string& text, const std::string& part) {
   return text.find(part) != text.npos;
 }
 
+std::size_t longest_line(const std::string& text) {
+  std::size_t longest = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    longest = std::max(longest, end - begin);
+    begin = end + 1;
+  }
+  return longest;
+}
+
 /// Each kind of block once.
 Document example() {
   Document document;
@@ -120,4 +130,25 @@ TEST_CASE("no text becomes markup, in Markdown and in HTML") {
   Document harmless;
   harmless.paragraph("-1 <= b < 1 and 2 * h, N2_1, $\\xi_1 * b_2$, slip-/slip+");
   CHECK(markdown_of(harmless) == "-1 <= b < 1 and 2 * h, N2_1, $\\xi_1 * b_2$, slip-/slip+\n");
+}
+
+TEST_CASE("for a terminal lines end at 80 columns, and headings are bold; no word is lost") {
+  Document document;
+  std::string words = "a";
+  for (int i = 0; i < 60; ++i) words += " word" + std::to_string(i);
+  document.title(words);
+  document.line("exact  blanks");
+  document.section(words).fact("why", words);
+  document.status("s VERIFIED");
+  const std::string usual = text_of(document), narrow = text_of(document, {true, false});
+  CHECK(longest_line(usual) > 80);
+  CHECK(longest_line(narrow) <= 80);
+  const auto pressed = [](std::string text) {
+    std::erase_if(text, [](char c) { return c == ' ' || c == '\n'; });
+    return text;
+  };
+  CHECK(pressed(usual) == pressed(narrow));
+  CHECK(found_in(narrow, "\nexact  blanks\n"));
+  CHECK(text_of(document, {false, true}).starts_with("\033[1ma word0 "));
+  CHECK(found_in(text_of(document, {true, true}), "\ns VERIFIED\n"));
 }

@@ -55,6 +55,41 @@ TEST_CASE("a paper of one's own asks, answers, has numbers of its scenes, and sa
   CHECK_THROWS_WITH_AS(gather(folders, file, certificates), doctest::Contains("motorcycle.toml"), InputError);
 }
 
+TEST_CASE("a claim shows the line that it judges, and the page all lines with their claims and links") {
+  test::SmallClaims small;
+  small.parameters = "b = { domain = \"b > 0\", meaning = \"b\" }\n";
+  for (const std::string id : {"X", "Y"}) {
+    small.claims +=
+        "[[claim]]\nid = \"" + id + "\"\nline = 2\nstatement = \"s\"\nkind = \"formula\"\nholds = \"b > 0\"\n";
+  }
+  const test::TemporaryFolder folder;
+  const auto page_with = [&](const std::string& lines) {
+    folder.write("none.tex", lines);
+    const auto claims = folder.write("claims.toml", small.text());
+    const ClaimsFile file = read_claims(claims);
+    Certificates certificates(folder.path());
+    PageInput input = gather({claims, {}, {}, {}, {}}, file, certificates);
+    VerifyOptions options;
+    options.samples = 5;
+    const VerifyResult result = verify(file, options);
+    input.result = &result;
+    return read(page_html(input));
+  };
+  const auto tree = page_with(
+      "1. First.\n2. \"b\" < 1 & more, from https://example.org/a_(b).\n\nWhere to read\nabout it: "
+      "arXiv:2105.00851.\n");
+  for (const std::string id : {"X", "Y"}) {
+    const std::string quote = "//*[@id='claim-" + id + "']//blockquote";
+    CHECK(std::string(tree.select_node((quote + "/a[1]/@href").c_str()).attribute().value()) == "#source-2");
+    CHECK(tree.select_node((quote + "/a[@href='https://example.org/a_(b)']").c_str()));
+    CHECK(tree.select_node(("//li[@id='source-2']//a[@href='#claim-" + id + "']").c_str()));
+  }
+  CHECK(tree.select_nodes("//li[@id='source-1']//a").empty());
+  CHECK(tree.select_node("//*[@id='source']/p[starts-with(., 'Where to read about it: arXiv:2105')]/a"));
+  // Another text, such as LaTeX, is not shown.
+  CHECK(page_with("\\section{Lines}\n1. First.\n").select_nodes("//*[@id='source']").empty());
+}
+
 TEST_CASE("fingerprints are SHA-256") {
   CHECK(sha256("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
   CHECK(sha256("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");

@@ -1,6 +1,7 @@
 #include "records/certify/certify.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -11,6 +12,7 @@
 #include "base/input/text_file.hpp"
 #include "base/number/format.hpp"
 #include "base/output/output_file.hpp"
+#include "base/output/terminal.hpp"
 #include "contact/formats/read_files.hpp"
 #include "faces/cli/command.hpp"
 #include "faces/cli/commands/certify_problem.hpp"
@@ -24,6 +26,7 @@
 #include "records/certify/table_records.hpp"
 #include "records/problems/contact_file.hpp"
 #include "records/record/bicycle_records.hpp"
+#include "report/scenes/records/record_words.hpp"
 
 namespace slipproof::cli {
 
@@ -189,6 +192,7 @@ int run_certify(CertifyArguments& options) {
       gate.add(record, judgement);
     };
   }
+  const bool in_words = !options.common.json && is_terminal(STDOUT_FILENO);
   ProgressLine line(!quiet);
   CountedBytes bytes;
   const Progress progress = [&](std::uint64_t records) {
@@ -199,7 +203,7 @@ int run_certify(CertifyArguments& options) {
   };
   const LineSink sink = [&](std::string_view lines) {
     line.make_way();
-    if (!quiet) print(lines);
+    if (!quiet) print(in_words ? record_words(lines, takes_colours(STDOUT_FILENO)) : std::string(lines));
   };
   const std::optional<CertifySummary> found = options.crew.wanted()
                                                   ? certify_shared(options, sink, progress)
@@ -210,7 +214,7 @@ int run_certify(CertifyArguments& options) {
   if (summary_file) summary_file->write(R"({"schema":"slipproof/certify/1",)" + to_json(summary).substr(1) + '\n');
   const std::string text = (options.crew.wanted() ? "" : gate.text()) + summary_text(summary);
   if (!options.common.json) {
-    print(text);
+    print(in_words ? narrow(text) : text);
   } else if (!quiet) {
     std::cerr << text;  // standard output has only a line for each record
   }
@@ -231,11 +235,12 @@ Continuation by_records(const CertifyArguments& options) {
 
 void add_certify(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CertifyArguments>();
-  CLI::App& command = *app.add_subcommand(
-      "certify", "Certify outputs of floating-point solvers, for scenes or contact problems:\na line of JSON for each");
+  CLI::App& command = *app.add_subcommand("certify",
+                                          "Certify outputs of floating-point solvers, for scenes or contact problems: "
+                                          "a line of JSON for each, or words on a terminal");
   command
       .add_option("FILE", options->file,
-                  "CSV with a header, JSON Lines (- for standard input), NumPy's .npy;\nor a contact problem's file: " +
+                  "CSV with a header, JSON Lines (- for standard input), NumPy's .npy; or a contact problem's file: " +
                       problem_formats())
       ->required();
   auto* scene = command.add_option("--scene", options->scene,
@@ -246,7 +251,7 @@ void add_certify(CLI::App& app, int& exit_code) {
   command
       .add_option(
           "--tolerance", options->problem.tolerance,
-          "Largest relative error of a component, 1e-9;\nfor contact problems, relative to the largest force, 1e-6")
+          "Largest relative error of a component, 1e-9; for contact problems, relative to the largest force, 1e-6")
       ->check(number_in(0, 1));
   command.add_option("--decimal", options->decimal, "Value of a decimal: the nearest binary64, or exactly as written")
       ->check(CLI::IsMember({"nearest", "exact"}))
@@ -262,7 +267,7 @@ void add_certify(CLI::App& app, int& exit_code) {
   command
       .add_option(
           "--effort", options->problem.effort,
-          fmt::format("Limit of work for one record, in operations on words, {};\nfor a contact problem's file {}",
+          fmt::format("Limit of work for one record, in operations on words, {}; for a contact problem's file {}",
                       JudgeOptions().effort, ContactJudgeOptions().effort))
       ->check(whole_number(1));
   command
@@ -277,6 +282,8 @@ void add_certify(CLI::App& app, int& exit_code) {
   add_gate_options(command, options->gate);
   add_crew_options(command, options->crew);
   add_common_options(command, options->common);
+  add_examples(command, {"--ignore-unknown cases/solvers/siconos-fc2d-lemke.csv",
+                         "cases/contact-problems/leaning-body.json --all"});
   command.callback([options, &exit_code, &command] {
     options->problem.refine = command.count("--refine") > 0;
     exit_code = stoppable([&] { return run_certify(*options); }, [&] { return by_records(*options); });

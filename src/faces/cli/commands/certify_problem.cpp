@@ -1,12 +1,14 @@
 #include "faces/cli/commands/certify_problem.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
 #include <iostream>
 
 #include "base/output/output_file.hpp"
+#include "base/output/terminal.hpp"
 #include "contact/formats/problem_check.hpp"
 #include "contact/formats/read_files.hpp"
 #include "contact/judge/certificate.hpp"
@@ -112,7 +114,7 @@ void add_problem_options(CLI::App& command, CertifyProblemArguments& options) {
   group->add_option("--answer", options.answer, "The solver's answer: text, NumPy, MatrixMarket, JSON, HDF5");
   group
       ->add_option("--refine", options.refined,
-                   "Look for a solution near the answer, or without one;\nwith a FILE write it there, as JSON")
+                   "Look for a solution near the answer, or without one; with a FILE write it there, as JSON")
       ->expected(0, 1);
   group->add_flag("--all", options.all, "Find all solutions, in space as well, and prove that there are no others");
   group->add_option("--certificate", options.certificate,
@@ -121,7 +123,7 @@ void add_problem_options(CLI::App& command, CertifyProblemArguments& options) {
   group
       ->add_option(
           "--within", options.within,
-          "What is near: without it a hundredth of the largest force. No solution\nwithin this radius is proved, "
+          "What is near: without it a hundredth of the largest force. No solution within this radius is proved, "
           "or the answer has not converged")
       ->check(number_in(0, 1e300));
   group->add_option("--law", options.law, "The law of contact, in place of the one that the problem names")
@@ -162,11 +164,13 @@ int run_certify_problem(const CertifyProblemArguments& options, const GateArgume
   for (std::size_t i = 0; i < problem.answers.size(); ++i) {
     lines += contact_line(problem, i) + '\n';
     words += contact_words(problem, i);
+    if (const std::string help = advice(problem.answers[i].judgement); !help.empty()) words += "  " + help + '\n';
     gate.add(i + 1, as_record(problem, i));
   }
   const int code = exit_code_of(problem);
   words += last_line(problem, code);
-  if (common.json || !common.quiet) print(lines);  // printed before other output is made, which may fail
+  const bool in_words = common.quiet || is_terminal(STDOUT_FILENO);
+  if (common.json || !in_words) print(lines);  // printed before other output is made, which may fail
   if (refined) {
     const std::string text = refined_answer(problem, 0);
     if (text.empty()) {
@@ -185,7 +189,7 @@ int run_certify_problem(const CertifyProblemArguments& options, const GateArgume
   }
   if (report) report->write(contact_report(problem, command_line(options), SLIPPROOF_VERSION));
   if (!common.json) {
-    print(words);
+    print(in_words ? narrow(words) : words);
   } else if (!common.quiet) {
     std::cerr << words;
   }

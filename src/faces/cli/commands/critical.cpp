@@ -93,6 +93,7 @@ void add_critical(CLI::App& app, int& exit_code) {
   command.add_option("-o,--out", options->out,
                      "Also draw a picture over the parameter and the load: a file .svg or .png");
   add_report_options(command, options->common);
+  add_examples(command, {"cases/city-bicycle.toml"});
   command.callback([options, &exit_code] {
     expect_picture_name(options->out);
     exit_code = run_critical(*options);

@@ -35,6 +35,7 @@ struct DrawArguments {
   std::string scene, out, load;
   std::string motion;  ///< a number from 1, every_motion, or at_rest; empty: none
   std::string from;    ///< where one looks at a scene in space from; empty: usual_view
+  bool animate = false;
 };
 
 [[noreturn]] void refuse(const DrawArguments& arguments, const std::string& message) {
@@ -61,6 +62,8 @@ MechanismMode choose_load(MechanismScene& scene, const DrawArguments& arguments)
 }
 
 std::string figure_of_motions(MechanismScene scene, const DrawArguments& arguments) {
+  CommonLook look;
+  look.animated = arguments.animate;
   std::optional<MechanismMode> mode;
   if (scene.mechanism.load && !scene.load) mode = choose_load(scene, arguments);
   const MotionsAtLoad found = *solve_mechanism(scene).at_load;
@@ -73,12 +76,12 @@ std::string figure_of_motions(MechanismScene scene, const DrawArguments& argumen
   };
   if (mode) {
     const auto motion = std::find_if(motions.begin(), motions.end(), has_mode);
-    if (motion != motions.end()) return mechanism_svg_file(scene, &*motion);
+    if (motion != motions.end()) return mechanism_svg_file(scene, &*motion, look);
     refuse(arguments, "the motion of " + name(*mode) + " at " + scene.mechanism.load->symbol + " = " +
                           exact_text(*scene.load) + " is one of a continuum, which --load with --motion all draws");
   }
   const std::size_t number = std::stoul(arguments.motion);
-  if (number <= motions.size()) return mechanism_svg_file(scene, &motions[number - 1]);
+  if (number <= motions.size()) return mechanism_svg_file(scene, &motions[number - 1], look);
   refuse(arguments, fmt::format("found --motion {}, expected at most {}: so many motions it has there{}", number,
                                 motions.size(), found.continua.empty() ? "" : ", continua counted"));
 }
@@ -97,6 +100,10 @@ std::string figure_in_space(MechanismScene scene, const DrawArguments& arguments
 std::string figure_of(MechanismScene scene, const DrawArguments& arguments) {
   print_warnings(scene, arguments.common);
   scene = at_load(scene, arguments.load);
+  const bool one = !arguments.motion.empty() && arguments.motion != every_motion && arguments.motion != at_rest;
+  if (arguments.animate && (!one || scene.mechanism.dimension == 3)) {
+    refuse(arguments, "found --animate, expected it with --motion NUMBER of a scene in the plane");
+  }
   if (arguments.motion == at_rest) {
     RestQuestions questions;
     questions.only_whether = true;
@@ -136,8 +143,13 @@ void add_draw(CLI::App& app, int& exit_code) {
       ->check(motion_choice());
   add_load_option(command, options->load);
   add_view_option(command, options->from);
+  command.add_flag(
+      "--animate", options->animate,
+      "Of one motion of bodies in the plane: let the outlines go on for half a second as the accelerations "
+      "say, in an SVG that moves; no simulation");
   command.add_option("-o,--out", options->out, "The file to write, .svg or .png; default: standard output");
   add_common_options(command, options->common);
+  add_examples(command, {"cases/ambiguous.toml --motion all -o motions.svg"});
   command.callback([options, &exit_code] {
     MechanismScene scene = read_scene(options->scene, Dimensions::any);
     std::optional<OutputFile> out;

@@ -119,6 +119,7 @@ void add_import(CLI::App& app, int& exit_code) {
   command.add_option("--gravity", options->gravity,
                      "Gravity along -z, in place of the file's; of URDF 9.81 if left out");
   command.add_flag("--quiet", options->quiet, "Do not tell what was left out, moved, turned or assumed");
+  add_examples(command, {"cases/imported/cart.xml -o cart.toml"});
   command.callback([options, &exit_code] {
     import_scene(*options);
     exit_code = success;
@@ -187,6 +188,7 @@ void add_export(CLI::App& app, int& exit_code) {
       ->expected(1);
   command.add_flag("--bodies", options->bodies,
                    "Write the bodies, contacts, joints and forces in numbers, for physics engines, on one line");
+  add_examples(command, {"cases/ambiguous.toml -o problem.json"});
   command.callback([options, &exit_code] {
     export_scene(*options);
     exit_code = success;

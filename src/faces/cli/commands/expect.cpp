@@ -68,6 +68,7 @@ void add_expect(CLI::App& app, int& exit_code) {
       ->check(CLI::IsMember({"json", "pytest"}))
       ->capture_default_str();
   command.add_option("-o,--output", options->output, "Where it goes; standard output if left out");
+  add_examples(command, {"cases/engines/scenes/one-motion/cube-tips.toml"});
   command.callback([options, &exit_code] {
     expect(*options);
     exit_code = success;

@@ -73,6 +73,7 @@ void add_explore(CLI::App& app, int& exit_code) {
   command.add_option("SCENE", options->scene, "Scene file (TOML), of a bicycle or of a mechanism")->required();
   command.add_option("-o,--out", options->out, "The HTML file to write")->required();
   add_common_options(command, options->common);
+  add_examples(command, {"cases/space/domino.toml -o domino.html"});
   command.callback([options, &exit_code] {
     write_explorer(*options);
     exit_code = success;

@@ -11,9 +11,9 @@ void add_gate_options(CLI::App& command, GateArguments& options) {
   group
       ->add_option(
           "--fail-on", options.fail_on,
-          "Verdicts that end with exit code 1, others with 0: some of ambiguous (or not\nproved to be the only "
+          "Verdicts that end with exit code 1, others with 0: some of ambiguous (or not proved to be the only "
           "solution), "
-          "inaccurate, eps-solution, wrong, undecided, with\ncommas; invalid ones always do. Without it all are told "
+          "inaccurate, eps-solution, wrong, undecided, with commas; invalid ones always do. Without it all are told "
           "by their own "
           "exit codes")
       ->delimiter(',')

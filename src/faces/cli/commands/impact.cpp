@@ -48,16 +48,16 @@ void add_impact(CLI::App& app, int& exit_code) {
   command.add_option("SCENE", options->scene, "Scene file (TOML) of bodies with velocities, in the plane or in space")
       ->required();
   command
-      .add_option(
-          "--law", options->law,
-          "newton: opening after is e times approach before; moreau: the same at all closed\ncontacts; poisson: "
-          "the impulse of restitution is e times that of compression; default:\nas the file says, or moreau")
+      .add_option("--law", options->law,
+                  "newton: opening after is e times approach before; moreau: the same at all closed contacts; poisson: "
+                  "the impulse of restitution is e times that of compression; default: as the file says, or moreau")
       ->check(CLI::IsMember({"newton", "moreau", "poisson"}));
   command.add_option("-o,--out", options->out, "Draw before and after to this file, .svg or .png");
   add_view_option(command, options->from);
   add_load_option(command, options->load);
   add_digits_option(command, options->digits);
   add_report_options(command, options->common);
+  add_examples(command, {"cases/impact/kane-pendulum.toml --law newton"});
   command.callback([options, &exit_code] { exit_code = answer(*options); });
 }
 

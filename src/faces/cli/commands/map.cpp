@@ -123,6 +123,7 @@ void add_map(CLI::App& app, int& exit_code) {
   auto* png = command.add_flag("--png", options->png, "A PNG picture, whatever the file is called")->excludes(svg);
   add_common_options(command, options->common);
   command.get_option("--json")->excludes(svg)->excludes(png);
+  add_examples(command, {"cases/city-bicycle.toml --x f -o map.svg"});
   command.callback([options, &exit_code] { exit_code = draw_map(*options); });
 }
 

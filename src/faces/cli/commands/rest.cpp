@@ -118,7 +118,7 @@ void add_rest(CLI::App& app, int& exit_code) {
   CLI::Option* tilt = command
                           .add_option("--tilt", options->tilt,
                                       "Find the greatest angle by which gravity can turn about an axis x,y,z, by the "
-                                      "right\nhand; in the plane the axis is left out")
+                                      "right hand; in the plane the axis is left out")
                           ->expected(0, 1);
   command.add_option("--parameter", options->parameter, "Find the values of a parameter at which it can rest");
   CLI::Option* map = command
@@ -132,7 +132,7 @@ void add_rest(CLI::App& app, int& exit_code) {
   command.add_option("-o,--out", options->out, "Draw the map to this file, .svg or .png")->needs(map);
   command
       .add_option("--fail-on", options->fail_on,
-                  "What ends with exit code 1: some of cannot-rest (the default), touching,\ncan-move (or not proved "
+                  "What ends with exit code 1: some of cannot-rest (the default), touching, can-move (or not proved "
                   "that it cannot), undecided, none, with commas")
       ->delimiter(',')
       ->check(CLI::IsMember({"cannot-rest", "touching", "can-move", "undecided", "none"}));
@@ -142,6 +142,7 @@ void add_rest(CLI::App& app, int& exit_code) {
       ->check(whole_number(1));
   add_digits_option(command, options->digits);
   add_report_options(command, options->common);
+  add_examples(command, {"cases/rest/block-on-slope.toml --tilt"});
   command.callback([options, tilt, &exit_code] { exit_code = answer(*options, tilt->count() > 0); });
 }
 

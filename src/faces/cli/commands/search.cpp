@@ -92,6 +92,7 @@ void add_search(CLI::App& app, int& exit_code) {
       ->check(whole_number(1, 1'000'000'000));
   add_crew_options(command, options->crew);
   add_report_options(command, options->common);
+  add_examples(command, {"painleve-rod --within \"mu < 1\" --samples 20"});
   command.callback([options, within, &exit_code] {
     options->narrows = within->count() > 0;
     exit_code = stoppable([&] { return run_search(*options); }, [&] { return by_checkpoint(options->crew); });

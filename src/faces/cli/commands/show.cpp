@@ -37,6 +37,7 @@ void add_show(CLI::App& app, int& exit_code) {
       ->required();
   command.add_option("--equations", *equations,
                      "Also write the mechanism by its equations, as they follow from its bodies, to this file");
+  add_examples(command, {"ladder"});
   command.callback([file, equations, &exit_code] {
     const Mechanism mechanism = mechanism_of(*file);
     if (!equations->empty()) {

@@ -70,6 +70,7 @@ void add_simulate(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   add_digits_option(command, options->digits);
   add_report_options(command, options->common);
+  add_examples(command, {"cases/ambiguous.toml"});
   command.callback([options, &exit_code] {
     run_simulate(*options);
     exit_code = success;

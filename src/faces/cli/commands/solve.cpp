@@ -50,6 +50,7 @@ void add_solve(CLI::App& app, int& exit_code) {
   add_load_option(command, options->load);
   add_digits_option(command, options->digits);
   add_report_options(command, options->common);
+  add_examples(command, {"cases/city-bicycle.toml", "cases/three-motions/three-motions.toml --load 2"});
   command.callback([options, &exit_code] { exit_code = answer(*options); });
 }
 

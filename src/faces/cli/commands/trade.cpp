@@ -57,6 +57,7 @@ void add_trade(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   add_crew_options(command, options->crew);
   add_report_options(command, options->common);
+  add_examples(command, {"--quick"});
   command.callback([options, &exit_code] {
     exit_code = stoppable([&] { return run_trade(*options); }, [&] { return by_checkpoint(options->crew); });
   });

@@ -39,18 +39,7 @@ archive() {  # NAME FILE...; names of members may be alike
   rm -f "$folder/installed/lib/lib$1.a"
   ar qcs "$folder/installed/lib/lib$1.a" "${@:2}"
 }
-# The greatest common divisors and factors of polynomials in several variables call these, too. FLINT asks its table of
-# Conway's polynomials before it looks for an irreducible one; the table would take 0.9 MB as text, and is left empty.
-flint_folders+=(fmpz_mod_vec fmpz_mod_mat fmpz_mod_mpoly_factor fq_nmod fq_nmod_vec fq_nmod_mat fq_nmod_poly fq_nmod_poly_factor
-  fq_nmod_mpoly fq_nmod_mpoly_factor fq_nmod_embed fq_zech fq_zech_vec fq_zech_mat fq_zech_poly fq_zech_poly_factor fq_zech_mpoly
-  fq_zech_mpoly_factor aprcl qsieve)
-flint() {
-  flint_of_debian 64
-  echo 'int flint_conway_polynomials[] = {0};' >"$folder/flint/conway.c"
-  cd "$folder/flint"
-  compile conway.c
-  ar qs "$folder/installed/lib/libflint.a" conway.o
-}
+flint() { flint_of_debian 64; }
 
 configure() {
   local part off=()

@@ -134,6 +134,7 @@ void add_claim_card(const Element& parent, const PageInput& input, std::size_t i
   std::string place = input.claims->paper.where(claim.line) + " of " + input.claims->paper.source;
   if (!claim.equation.empty()) place += ", equation (" + claim.equation + ")";
   body.add("p", "place").text(place + ".");
+  add_source_line(body, input, claim.line);
   for (const ClaimResult* result : readings) add_reading(body, input, claim, *result);
   if (!claim.why.empty()) {
     add_line(body.add("p"), {strong("Why that is meant. "), prose(*input.claims, claim.why)});

@@ -30,10 +30,6 @@ std::vector<Range> numbers_of(const MechanismScene& scene, const std::vector<Spa
 
 }  // namespace
 
-std::string mode_of(const SpaceMotion& motion) {
-  return motion.modes.empty() ? "free" : listed(motion.modes, "/");
-}
-
 std::string heading_of(const SpaceMotion& motion) {
   constexpr std::size_t longest = 34;
   std::string text = mode_of(motion);

@@ -10,9 +10,7 @@
 
 namespace slipproof {
 
-/// `slip/stick/lift`; `free` without contacts.
-std::string mode_of(const SpaceMotion& motion);
-/// The same as a heading holds it: of many contacts how many do what; `(boundary)` where the mode holds only just.
+/// The mode as a heading holds it: of many contacts how many do what; `(boundary)` where the mode holds only just.
 std::string heading_of(const SpaceMotion& motion);
 /// `2 motions and a continuum of motions, and there may be others`.
 std::string counted_motions(const SolvedSpace& solved);

@@ -38,9 +38,10 @@ void add_check(CLI::App& app, int& exit_code) {
       .add_option("CERT", options->certificates, "Certificates, their statements, theorem files, or folders of them")
       ->required();
   command.add_option("--show", options->show,
-                     "Do not check; print this part of a theorem file: NAME.statement, NAME.cert, NAME for both, or\n"
+                     "Do not check; print this part of a theorem file: NAME.statement, NAME.cert, NAME for both, or "
                      "claims.canonical");
   add_common_options(command, options->common);
+  add_examples(command, {"proofs/ladder"});
   command.callback([options, &exit_code] {
     if (options->show) {
       exit_code = show(*options);

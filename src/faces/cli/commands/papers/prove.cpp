@@ -232,16 +232,15 @@ Continuation by_certificates(const ProveArguments& options) {
 void add_prove(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ProveArguments>();
   CLI::App& command = *app.add_subcommand(
-      "prove",
-      "Prove the claims of a paper, or your own statements, for all parameters;\nwrite a certificate for each");
+      "prove", "Prove the claims of a paper, or your own statements, for all parameters; write a certificate for each");
   command.add_option(
       "INPUT", options->inputs,
-      "A claims file, with your own statements next to it and below, except those in folders of\n"
-      "other papers; default: the shipped paper. Or, without claims: files *.statement and *.theorems, and\n"
+      "A claims file, with your own statements next to it and below, except those in folders of "
+      "other papers; default: the shipped paper. Or, without claims: files *.statement and *.theorems, and "
       "folders of them");
   command.add_option(
       "--out", options->out,
-      "Folder for statements and certificates; default: next to your own statements; those of NAME.toml in\n"
+      "Folder for statements and certificates; default: next to your own statements; those of NAME.toml in "
       "NAME.theorems next to it, which is written whole or not at all");
   command.add_option("--smtlib", options->smtlib,
                      "Do not search; write the negation of each statement to this folder as SMT-LIB 2");
@@ -253,6 +252,7 @@ void add_prove(CLI::App& app, int& exit_code) {
   command.add_flag("--again", options->prove.again, "Search again for theorems that have an accepted certificate");
   add_crew_options(command, options->crew);
   add_common_options(command, options->common);
+  add_examples(command, {"proofs/ladder/claims.toml --out proved"});
   command.callback([options, &exit_code] {
     exit_code = stoppable([&] { return run_prove(*options); }, [&] { return by_certificates(*options); });
   });

@@ -83,6 +83,7 @@ void add_report(CLI::App& app, int& exit_code) {
         return web ? std::string() : "found " + text + ", expected an address, https://...";
       });
   add_common_options(command, options->common);
+  add_examples(command, {"proofs/ladder/claims.toml --samples 200 --out report.html"});
   command.callback([options, samples, &exit_code] {
     std::filesystem::path path = claims_path(options->claims);
     if (is_engines_folder(path)) {

@@ -14,6 +14,7 @@
 #include "faces/cli/interrupt.hpp"
 #include "faces/cli/progress.hpp"
 #include "faces/cli/warnings.hpp"
+#include "mechanics/mechanism/names.hpp"
 #include "report/papers/errata.hpp"
 #include "report/papers/mutation_report.hpp"
 #include "report/papers/verify_report.hpp"
@@ -91,6 +92,15 @@ std::vector<std::filesystem::path> with_claims(std::vector<std::filesystem::path
   throw InputError({{folder.string(), 0, 0, "found no claim whose id begins with '" + only + "' in its papers"}});
 }
 
+void expect_claim(const ClaimsFile& file, const std::string& only) {
+  std::vector<std::string_view> ids;
+  for (const Claim& claim : file.claims) {
+    if (claim.id.starts_with(only)) return;
+    ids.push_back(claim.id);
+  }
+  throw InputError({{file.file, 0, 0, "--only: " + unknown_name("claim", only, ids)}});
+}
+
 /// Verifies all papers in a folder.
 int verify_papers(const std::vector<std::filesystem::path>& papers, const VerifyArguments& options) {
   if (const std::string flag = flag_about_one_paper(options); !flag.empty()) {
@@ -115,6 +125,7 @@ int run_verify(VerifyArguments& options, const CLI::Option& samples) {
   }
   if (papers.size() == 1) path = papers.front();
   const ClaimsFile file = read_claims(path);
+  expect_claim(file, options.verify.only);
   print_warnings(file, options.common);
   if (options.coverage) {
     print(markdown_of(coverage_document(file)));
@@ -185,6 +196,7 @@ void add_verify(CLI::App& app, int& exit_code) {
   add_crew_options(command, options->crew);
   add_report_options(command, options->common);
   sarif->excludes("--markdown");
+  add_examples(command, {"proofs/ladder/claims.toml --samples 200"});
   command.callback([options, samples, &exit_code] {
     exit_code = stoppable([&] { return run_verify(*options, *samples); },
                           [&] {

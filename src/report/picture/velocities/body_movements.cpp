@@ -1,0 +1,37 @@
+#include "report/picture/velocities/body_movements.hpp"
+
+#include <algorithm>
+
+#include "mechanics/bodies/frame.hpp"
+#include "report/picture/scene_numbers.hpp"
+
+namespace slipproof {
+
+std::vector<BodyMovement> body_movements(const MechanismScene& scene, const MotionAtLoad& motion) {
+  std::vector<BodyMovement> result;
+  if (!scene.mechanism.bodies) return result;
+  const auto names = acceleration_names(scene.mechanism);
+  SceneNumbers numbers(scene);
+  const auto acceleration = [&](const Body::Unknown& unknown, const PlacedExpression& prescribed) {
+    if (unknown.symbol.empty()) return prescribed ? numbers.number(prescribed) : 0;
+    const auto index = static_cast<std::size_t>(std::ranges::find(names, unknown.symbol) - names.begin());
+    const double value = motion.accelerations[index].to_double();
+    return unknown.negated ? -value : value;
+  };
+  for (const Body& body : scene.mechanism.bodies->bodies) {
+    const bodies_in_motion::Frame frame(body);
+    const auto point = [&](const bodies_in_motion::SceneVector& v) {
+      return Point{numbers.number(v.x), numbers.number(v.y)};
+    };
+    BodyMovement& moves = result.emplace_back();
+    moves.at = point(frame.at);
+    moves.velocity = point(frame.velocity);
+    moves.spin = numbers.number(frame.spin.z);
+    moves.acceleration = {acceleration(body.unknowns[0], body.acceleration.x),
+                          acceleration(body.unknowns[1], body.acceleration.y)};
+    moves.turning = acceleration(body.unknowns[5], body.turning.z);
+  }
+  return result;
+}
+
+}  // namespace slipproof

@@ -1,0 +1,22 @@
+// How the bodies of a scene begin to move in one of its motions, for pictures that move.
+#pragma once
+
+#include <vector>
+
+#include "mechanics/kernel/motion.hpp"
+#include "mechanics/scene/scene.hpp"
+#include "report/picture/drawing.hpp"
+
+namespace slipproof {
+
+/// Rounded to binary64, in the units and axes of the file, counterclockwise.
+struct BodyMovement {
+  Point at;  ///< the centre of mass
+  Point velocity, acceleration;
+  double spin = 0, turning = 0;
+};
+
+/// One for each body, the ground first; none of a mechanism by equations. `motion` must be one of the scene's.
+std::vector<BodyMovement> body_movements(const MechanismScene& scene, const MotionAtLoad& motion);
+
+}  // namespace slipproof
