@@ -1,72 +1,80 @@
-/* Records what MuJoCo solves: a box on the floor that is pushed, with elliptic cones, by MuJoCo's own law, which is the
+/* Records what MuJoCo solves: cubes that fall on a plane, with elliptic cones, by MuJoCo's own law, which is the
  * associated one with a compliance R and a bias, minus the reference acceleration.
  *
- *   steps_of_mujoco FILE.jsonl [STEPS]       then: slipproof certify FILE.jsonl */
+ *   steps_of_mujoco FILE.jsonl [STEPS [ITERATIONS [WORST]]]     then: slipproof certify FILE.jsonl */
 #include <mujoco/mujoco.h>
-#include <slipproof_record.h>
 
-static const char scene[] =
-    "<mujoco><option timestep='0.002' cone='elliptic' solver='Newton' jacobian='dense' iterations='200'"
-    " tolerance='1e-14'/><worldbody><geom type='plane' size='5 5 1' condim='3' friction='0.5'/>"
-    "<body pos='0 0 0.1'><freejoint/><geom type='box' size='0.2 0.2 0.1' mass='1' condim='3' friction='0.5'/></body>"
-    "</worldbody></mujoco>";
+#include "boxes.h"
 
-static void* allocated(size_t count, size_t size) {
-  void* memory = calloc(count > 0 ? count : 1, size);
-  if (!memory) fputs("out of memory\n", stderr), exit(1);
-  return memory;
+/* The scene as MuJoCo reads it. */
+static size_t describe(char* text, size_t room) {
+  size_t size = (size_t)snprintf(
+      text, room,
+      "<mujoco><option timestep='0.002' cone='elliptic' solver='Newton' jacobian='dense'/>"
+      "<size nconmax='%d' njmax='%d'/><worldbody><geom type='plane' size='5 5 1' condim='3' friction='0.5'/>",
+      most_contacts, 3 * most_contacts);
+  for (int i = 0; i < boxes; ++i) {
+    double at[3];
+    const double angle = start(i, at);
+    size += (size_t)snprintf(
+        text + size, room - size,
+        "<body pos='%.17g %.17g %.17g' axisangle='1 1 0 %.17g'><freejoint/><geom type='box' size='%.17g "
+        "%.17g %.17g' mass='%.17g' condim='3' friction='0.5'/></body>",
+        at[0], at[1], at[2], angle * 180 / mjPI, side / 2, side / 2, side / 2, box_mass);
+  }
+  return size + (size_t)snprintf(text + size, room - size, "</worldbody></mujoco>");
 }
 
-/* The constraints of one step that are contacts in three directions, as bodies with Jacobians: accelerations, forces.
- */
+/* The constraints of one step, all of them contacts in three directions: accelerations and forces. */
 static int record(slipproof_recorder* recorder, const mjModel* m, const mjData* d) {
-  const size_t nv = (size_t)m->nv, n = 3 * (size_t)d->ncon;
-  double* M = allocated(nv * nv, sizeof(double));
-  double *J = allocated(n * nv, sizeof(double)), *mu = allocated(n, sizeof(double));
-  double *r = allocated(n, sizeof(double)), *R = allocated(n, sizeof(double)), *bias = allocated(n, sizeof(double));
+  static double M[velocities * velocities], mu[most_contacts], bias[3 * most_contacts];
   slipproof_record_step step = {0};
   mj_fullM(m, M, d->qM);
   for (int k = 0; k < d->ncon; ++k) {
-    const int first = d->contact[k].efc_address;
-    mu[k] = d->contact[k].friction[0];
-    for (int i = 0; i < 3; ++i) {
-      const size_t row = (size_t)(3 * k + i);
-      memcpy(J + row * nv, d->efc_J + (size_t)(first + i) * nv, nv * sizeof(double));
-      r[row] = d->efc_force[first + i];
-      R[row] = d->efc_R[first + i];
-      bias[row] = -d->efc_aref[first + i];
-    }
+    if (d->contact[k].efc_address >= 0) mu[step.contacts++] = d->contact[k].friction[0]; /* others do not touch yet */
   }
-  step.dimension = 3, step.contacts = (size_t)d->ncon, step.mu = mu;
-  step.bodies = nv, step.M = M, step.J = J, step.f = d->qfrc_smooth, step.v = d->qacc;
-  step.r = r, step.law = SLIPPROOF_LAW_ASSOCIATED, step.compliance = R, step.bias = bias;
+  for (int row = 0; row < d->nefc; ++row) bias[row] = -d->efc_aref[row];
+  step.dimension = 3, step.mu = mu;
+  step.bodies = velocities, step.M = M, step.J = d->efc_J, step.f = d->qfrc_smooth, step.v = d->qacc;
+  step.r = d->efc_force, step.law = SLIPPROOF_LAW_ASSOCIATED, step.compliance = d->efc_R, step.bias = bias;
   step.force_unit = "N", step.velocity_unit = "m/s^2";
-  const int status = slipproof_record(recorder, &step);
-  if (status) fprintf(stderr, "%s\n", slipproof_record_mistake(recorder));
-  free(M), free(J), free(mu), free(r), free(R), free(bias);
-  return status;
+  if (slipproof_record(recorder, &step) == SLIPPROOF_RECORD_OK) return 0;
+  fprintf(stderr, "%s\n", slipproof_record_mistake(recorder));
+  return 1;
+}
+
+static mjModel* load(void) {
+  static mjVFS files;
+  static char text[8000];
+  char error[500] = "", path[] = "steps_of_mujoco.xml";
+  const size_t size = describe(text, sizeof text);
+  mj_defaultVFS(&files);
+  mj_makeEmptyFileVFS(&files, path, (int)size);
+  memcpy(files.filedata[0], text, size);
+  mjModel* m = mj_loadXML(path, &files, error, sizeof error);
+  if (!m) fprintf(stderr, "%s\n", error);
+  return m;
 }
 
 int main(int argc, char** argv) {
-  char error[500] = "", path[] = "steps_of_mujoco.xml";
-  if (argc < 2) return fputs("usage: steps_of_mujoco FILE.jsonl [STEPS]\n", stderr), 2;
-  const int steps = argc > 2 ? atoi(argv[2]) : 200;
-  static mjVFS files;
-  mj_defaultVFS(&files);
-  mj_makeEmptyFileVFS(&files, path, (int)sizeof scene - 1);
-  memcpy(files.filedata[0], scene, sizeof scene - 1);
-  mjModel* m = mj_loadXML(path, &files, error, sizeof error);
-  if (!m) return fprintf(stderr, "%s\n", error), 1;
-  mjData* d = mj_makeData(m);
+  arguments given;
   slipproof_recorder recorder;
-  if (slipproof_record_open(&recorder, argv[1], 5)) return perror(argv[1]), 1; /* the worst five */
-  for (int i = 0; i < steps; ++i) {
-    d->xfrc_applied[6] = i < steps / 2 ? 4 : 6; /* friction holds 4.9 */
+  double engine = 0, recording = 0;
+  if (read_arguments(argc, argv, &given)) return 2;
+  mjModel* m = load();
+  if (!m) return 1;
+  if (given.iterations > 0) m->opt.iterations = given.iterations, m->opt.tolerance = 0;
+  mjData* d = mj_makeData(m);
+  if (slipproof_record_open(&recorder, given.file, (size_t)given.worst)) return perror(given.file), 1;
+  for (int i = 0; i < given.steps; ++i) {
+    const double begin = now();
     mj_step1(m, d);
     mj_step2(m, d);
-    if (d->ncon > 0 && record(&recorder, m, d)) return 1;
+    const double stepped = now();
+    if (record(&recorder, m, d)) return 1;
+    engine += stepped - begin, recording += now() - stepped;
   }
   mj_deleteData(d);
   mj_deleteModel(m);
-  return slipproof_record_close(&recorder) ? (perror(argv[1]), 1) : 0;
+  return finish(&recorder, &given, engine, recording);
 }

@@ -74,7 +74,7 @@ class Engine:
             if asked.returncode:
                 raise NotAsked(f"the library {package} is not installed")
             flags = asked.stdout.split() + flags + [f'-DENGINE_VERSION="{version.stdout.strip()}"']
-        built = subprocess.run([self.tool("c++"), "-O2", str(source), "-o", str(program), *flags, "-std=c++20"],
+        built = subprocess.run([self.tool("c++"), "-O2", str(source), "-o", str(program), *flags, f"-std={self.given.get('standard', 'c++20')}"],
                                capture_output=True, text=True)
         if built.returncode:
             raise NotAsked(f"its adapter does not compile here: {first_error(built.stderr)}")

@@ -143,6 +143,14 @@ static inline void slipproof_record_word(slipproof_record_text* text, const char
   slipproof_record_add(text, word, strlen(word));
 }
 
+static inline void slipproof_record_count(slipproof_record_text* text, size_t value) {
+  char digits[32];
+  size_t first = sizeof digits;
+  do digits[--first] = (char)('0' + value % 10);
+  while ((value /= 10) > 0);
+  slipproof_record_add(text, digits + first, sizeof digits - first);
+}
+
 /* 17 digits, which give the same binary64 again, with a point in every locale. */
 static inline void slipproof_record_number(slipproof_record_text* text, double value) {
   char digits[64];
@@ -155,18 +163,17 @@ static inline void slipproof_record_number(slipproof_record_text* text, double v
     slipproof_record_word(text, value > 0 ? "Infinity" : "-Infinity");
     return;
   }
-  snprintf(digits, sizeof digits, "%.17g", value);
-  size = strlen(digits);
+  if (value > -1e6 && value < 1e6 && value == (double)(long)value && (value != 0 || !signbit(value))) {
+    if (value < 0) slipproof_record_add(text, "-", 1);
+    slipproof_record_count(text, (size_t)(value < 0 ? -value : value));
+    return;
+  }
+  size = (size_t)snprintf(digits, sizeof digits, "%.17g", value);
   for (i = 0; i < size; ++i) {
-    if (!strchr("+-0123456789e", digits[i])) digits[i] = '.';
+    const char c = digits[i];
+    if ((c < '0' || c > '9') && c != '-' && c != '+' && c != 'e') digits[i] = '.';
   }
   slipproof_record_add(text, digits, size);
-}
-
-static inline void slipproof_record_count(slipproof_record_text* text, size_t value) {
-  char digits[32];
-  snprintf(digits, sizeof digits, "%lu", (unsigned long)value);
-  slipproof_record_word(text, digits);
 }
 
 static inline void slipproof_record_list(slipproof_record_text* text, const double* values, size_t count) {

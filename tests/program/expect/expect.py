@@ -13,7 +13,8 @@ scenes = pathlib.Path(cases) / "engines" / "scenes"
 files = [str(scenes / f"{name}.toml") for name in (
     "one-motion/cube-tips", "one-motion/two-boxes-move-together", "several-or-none/painleve-rod-inconsistent",
     "several-or-none/rod-lifted-and-pushed", "several-or-none/box-in-slot-flat", "undetermined/drum-in-rough-corner",
-    "thresholds/friction-that-holds-a-drum", "extremes/gravity-10-km-slides")]
+    "thresholds/friction-that-holds-a-drum", "extremes/gravity-10-km-slides", "space-cone/tripod-pushed-at-37",
+    "space-stand/two-cubes-0-0-0", "space-several/leaning-rod-1-1")]
 files += [str(pathlib.Path(cases) / "space" / f"{name}.toml") for name in ("domino", "stool-tipping", "ball-on-belt")]
 
 

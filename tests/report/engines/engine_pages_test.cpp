@@ -166,10 +166,11 @@ TEST_CASE("a design that is no string is refused at its place") {
                        doctest::Contains("engines.toml:2:10: design: found a number, expected a string"), InputError);
 }
 
-TEST_CASE("the shipped table says which engines have soft contacts on purpose") {
+TEST_CASE("the shipped table says whose contacts differ on purpose") {
   const std::string table = SLIPPROOF_SOURCE_DIR "/cases/engines/engines.toml";
   const auto designs = engine_designs(table);
-  for (const char* engine : {"mujoco", "rapier2d", "rapier3d", "rapier3d-shapes", "box2d3"})
+  for (const char* engine : {"mujoco", "mujoco3", "mujoco3-shapes", "physx", "physx-shapes", "rapier2d", "rapier3d",
+                             "rapier3d-shapes", "box2d3"})
     CHECK(designs.contains(engine));
-  CHECK(designs.size() == 5);
+  CHECK(designs.size() == 9);
 }
