@@ -66,7 +66,8 @@ class PastedRecords {
   RecordJudgement judge(std::string_view line, std::uint64_t at) {
     try {
       reader_.read(line, record_);
-      return judge_(record_);
+      const auto& found = record_.not_finite;
+      return found ? invalid_judgement(place_text(at, found->column) + found->reason) : judge_(record_);
     } catch (const BrokenRecord& broken) {
       return invalid_judgement(place_text(at, broken.column) + broken.message);
     }
