@@ -39,7 +39,7 @@ class Interview:
             yield self.kept(scene, name or "default", lambda: self.one(scene, iterations)[1])
         if scene.rests and not self.engine.given.get("problem"):
             yield self.kept(scene, "drift", lambda: self.drift(scene))
-        if not self.bisects or not scene.expected or not scene.expected["threshold"]:
+        if not self.bisects or not scene.expected or not scene.expected.get("threshold"):
             return
         for name, iterations in self.settings():
             asked = "threshold" + (f", {name}" if name else "")

@@ -48,6 +48,7 @@ struct Contact {
   Vector at{}, normal{}, tangent{}, second{};  ///< `second`: of the tangents, in space
   double radius = 0, friction = 0;
   std::vector<std::string> forces;
+  double restitution = 0;  ///< of an impact
 };
 
 struct Joint {
@@ -75,6 +76,7 @@ struct Question {
   std::vector<Contact> contacts{};
   std::vector<Joint> joints{};
   std::vector<Friction> friction{};
+  bool impact = false;  ///< contacts approach: asks for velocities after the step and impulses
   bool drifts = false;  ///< asks how far bodies move that should rest, not for an acceleration
 
   /// For engines that find contacts themselves: a disc of the contact's own radius, or a small one, touches a square of
@@ -182,7 +184,8 @@ inline Contact read_contact(const Json& given) {
           given.contains("second") ? vector(given["second"]) : Vector{},
           given["radius"],
           given["friction"],
-          given["forces"]};
+          given["forces"],
+          given.value("restitution", 0.0)};
 }
 
 inline Joint read_joint(const Json& given) {
@@ -201,6 +204,7 @@ inline Question read_question(const Json& line) {
   const Json &ask = line.at("ask"), &world = ask.at("world");
   Question q{world["gravity"].size() == 3, vector(world["gravity"]), world["size"], ask["step"]};
   q.drifts = ask.value("drift", false);
+  q.impact = line.contains("impact");
   if (!ask["iterations"].is_null()) q.iterations = ask["iterations"];
   for (const Json& one : world["bodies"]) q.bodies.push_back(read_body(one));
   for (const Json& one : world["contacts"]) q.contacts.push_back(read_contact(one));
@@ -210,7 +214,7 @@ inline Question read_question(const Json& line) {
   return q;
 }
 
-/// Accelerations by the names of the unknowns.
+/// Accelerations by the names of the unknowns; of an impact velocities after.
 inline Json motion(const Question& q, const Answer& answer) {
   Json result = Json::object();
   for (std::size_t i = 1; i < q.bodies.size(); ++i) {
@@ -220,7 +224,8 @@ inline Json motion(const Question& q, const Answer& answer) {
                                                     : std::array<double, 6>{v[0], v[1], body.spin};
     for (std::size_t k = 0; k < body.names.size(); ++k) {
       if (body.names[k].is_null()) continue;
-      result[body.names[k][0]] = body.names[k][1].get<double>() * (answer.velocity[i][k] - before[k]) / q.step;
+      const double of_unknown = q.impact ? answer.velocity[i][k] : (answer.velocity[i][k] - before[k]) / q.step;
+      result[body.names[k][0]] = body.names[k][1].get<double>() * of_unknown;
     }
   }
   return result;
@@ -232,7 +237,10 @@ inline Json answer_to(const Engine& engine, const Json& line) {
   try {
     const Question question = read_question(line);
     if (question.in_space && engine.law_in_space.empty()) throw Refused("a scene in space");
-    const Answer answer = engine.ask(question);
+    Answer answer = engine.ask(question);
+    if (question.impact) {  // adapters tell impulses over the step
+      for (auto& [name, force] : answer.forces) force *= question.step;
+    }
     result["settings"] = answer.settings;
     result["settings"]["step"] = question.step;
     if (question.drifts) {

@@ -50,15 +50,15 @@ function question(line) {
     return { ...c, disc: radius, half: Math.max(radius, 0.01), overlap: 1e-6 * world.size, face: arm(c.on, c.at),
              centre: arm(c.of, c.at.map((p, i) => p + radius * c.normal[i])) };
   });
-  return { ...world, step, iterations, drifts: line.ask.drift ?? false, bodies, contacts, arm, inSpace: world.gravity.length === 3 };
+  return { ...world, step, iterations, impact: "impact" in line, drifts: line.ask.drift ?? false, bodies, contacts, arm, inSpace: world.gravity.length === 3 };
 }
 
-/** Accelerations by the names of the unknowns, from the velocities after the step. */
+/** Accelerations by the names of the unknowns, from the velocities after the step; of an impact these. */
 function motion(q, velocities) {
   const named = q.bodies.slice(1).flatMap((body, i) => {
     const before = [...body.velocity, body.spin].flat();
     return body.names.flatMap((name, k) =>
-      name ? [[name[0], (name[1] * (velocities[i + 1][k] - before[k])) / q.step]] : []);
+      name ? [[name[0], name[1] * (q.impact ? velocities[i + 1][k] : (velocities[i + 1][k] - before[k]) / q.step)]] : []);
   });
   return Object.fromEntries(named);
 }
@@ -67,7 +67,8 @@ function motion(q, velocities) {
  * tells none. */
 function forces(q, pairs) {
   if (!pairs) return null;
-  return Object.fromEntries(q.contacts.flatMap((c, i) => c.forces.map((name, k) => [name, pairs[i][k]])));
+  const scale = q.impact ? q.step : 1; // adapters tell impulses over the step
+  return Object.fromEntries(q.contacts.flatMap((c, i) => c.forces.map((name, k) => [name, scale * pairs[i][k]])));
 }
 
 /** How far a body is from where it began, over the size, after 1, 10 and 100 steps, of which the first is made. `again()`

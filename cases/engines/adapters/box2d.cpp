@@ -69,6 +69,7 @@ class Scene {
     const Vector up = q_.arm(contact.of, contact.at), face = q_.arm(contact.on, contact.at), n = contact.normal;
     b2FixtureDef def;
     def.friction = static_cast<float>(contact.friction);
+    def.restitution = static_cast<float>(contact.restitution);
     def.filter.maskBits = 0;
     def.filter.groupIndex = static_cast<int16>(number + 1);
     def.userData.pointer = number;

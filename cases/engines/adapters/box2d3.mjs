@@ -41,7 +41,7 @@ function load(world, body, made) {
 function addContact(bodies, contact, index) {
   const def = b2.b2DefaultShapeDef(), r = contact.half, [nx, ny] = contact.normal;
   def.density = 0;
-  set(def, "material", (material) => { material.friction = contact.friction; material.restitution = 0; });
+  set(def, "material", (material) => { material.friction = contact.friction; material.restitution = contact.restitution ?? 0; });
   set(def, "filter", (filter) => { filter.groupIndex = index + 1; filter.setMaskBits64("0"); });
   const disc = new b2.b2Circle();
   disc.center = vec(contact.centre);

@@ -233,6 +233,7 @@ class Scene {
     btManifoldPoint point(arm(contact.of, contact.at), arm(contact.on, contact.at), vec(contact.normal), 0);
     point.m_positionWorldOnA = point.m_positionWorldOnB = vec(contact.at);
     point.m_combinedFriction = contact.friction;
+    point.m_combinedRestitution = contact.restitution;
     btPersistentManifold* manifold = dispatcher_.getNewManifold(bodies_[contact.of].get(), bodies_[contact.on].get());
     manifold->addManifoldPoint(point);
     manifolds_.push_back(manifold);

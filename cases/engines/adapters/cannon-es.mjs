@@ -63,7 +63,7 @@ function give(world, bodies, q, kept) {
     q.contacts.forEach((contact, i) => {
       const a = bodies[contact.of], b = bodies[contact.on];
       const material = new cannon.ContactMaterial(new cannon.Material(), new cannon.Material(), {
-        friction: contact.friction, restitution: 0, ...stiff(q) });
+        friction: contact.friction, restitution: contact.restitution ?? 0, ...stiff(q) });
       phase.currentContactMaterial = material;
       const equation = phase.createContactEquation(a, b, a.shapes[0], b.shapes[0], null, null);
       equation.ni.copy(vec(contact.normal.map((n) => -n))); // from the first body to the second

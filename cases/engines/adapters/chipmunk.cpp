@@ -88,6 +88,7 @@ class Scene {
                                       vec({face[0] + half * n[1], face[1] - half * n[0]}), 0);
     for (cpShape* shape : {disc, line}) {
       cpShapeSetFriction(shape, shape == disc ? contact.friction : 1);  // they are multiplied
+      cpShapeSetElasticity(shape, shape == disc ? contact.restitution : 1);
       cpShapeSetUserData(shape, number(index));
       cpSpaceAddShape(space_, shape);
     }

@@ -139,14 +139,14 @@ class Scene {
   }
 
   void add_shape(const dart::dynamics::ShapePtr& shape, std::size_t body, const std::string& name, const Vector& at,
-                 const Eigen::Quaterniond& turn, double friction) {
+                 const Eigen::Quaterniond& turn, const Contact& contact) {
     using namespace dart::dynamics;
     auto* node = bodies_[body]->createShapeNodeWith<CollisionAspect, DynamicsAspect>(shape, name);
     Eigen::Isometry3d placed(Eigen::Translation3d(vec(at)));
     placed.rotate(turn);
     node->setRelativeTransform(placed);
-    node->getDynamicsAspect()->setFrictionCoeff(friction);
-    node->getDynamicsAspect()->setRestitutionCoeff(0);
+    node->getDynamicsAspect()->setFrictionCoeff(contact.friction);
+    node->getDynamicsAspect()->setRestitutionCoeff(name[0] == 'o' ? contact.restitution : 1);  // they are multiplied
   }
 
   void add(const Contact& contact) {
@@ -162,9 +162,9 @@ class Scene {
     const auto turn = q_.in_space ? Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitY(), vec(n))
                                   : Eigen::Quaterniond(Eigen::AngleAxisd(std::atan2(-n[0], n[1]), Vector3d::UnitZ()));
     add_shape(std::make_shared<SphereShape>(r + 1e-9 * q_.size), contact.of, "o" + number, beyond(contact.of, r),
-              Eigen::Quaterniond::Identity(), contact.friction);
+              Eigen::Quaterniond::Identity(), contact);
     add_shape(std::make_shared<BoxShape>(Vector3d(2 * half, 2 * half, 2 * half)), contact.on, "b" + number,
-              beyond(contact.on, -half), turn, contact.friction);
+              beyond(contact.on, -half), turn, contact);
   }
 
   void add(dart::constraint::ConstraintSolver& solver, const Joint& joint) {

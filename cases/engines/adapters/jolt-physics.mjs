@@ -144,7 +144,7 @@ function listen(system, q, touching) {
     const given = Jolt.wrapPointer(settings, Jolt.ContactSettings);
     const i = number(Jolt.wrapPointer(body1, Jolt.Body), Jolt.wrapPointer(manifold, Jolt.ContactManifold).mSubShapeID1);
     given.mCombinedFriction = q.contacts[i].friction;
-    given.mCombinedRestitution = 0;
+    given.mCombinedRestitution = q.contacts[i].restitution ?? 0;
     touching.add(i);
   };
   listener.OnContactPersisted = listener.OnContactAdded;

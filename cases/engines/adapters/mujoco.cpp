@@ -159,6 +159,7 @@ void tell(const Question& q, const mjModel& m, const mjData& d, Answer& answer) 
 }
 
 Answer ask(const Question& q) {
+  if (q.impact) throw Refused("an impact: contacts are springs with dampers, in which it takes many steps");
   const auto model = load(Model(q).text());
   const mjModel& m = *model;
   const std::unique_ptr<mjData, Free> data(mj_makeData(&m));

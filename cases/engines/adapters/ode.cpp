@@ -160,10 +160,12 @@ class Scene {
     dJointSetAMotorParam(motor, dParamFMax, brake.limit);
   }
 
-  /// The largest acceleration that gravity, forces and couples give to bodies that nothing holds.
+  /// The largest acceleration that gravity, forces and couples give to bodies that nothing holds; of an impact that of
+  /// the fastest body, stopped in the step.
   double natural() const {
     double largest = std::sqrt(dot(q_.gravity, q_.gravity));
     for (const Body& body : q_.bodies) {
+      if (q_.impact) largest = std::max(largest, std::sqrt(dot(body.velocity, body.velocity)) / q_.step);
       if (body.is_free) largest = std::max(largest, std::sqrt(dot(body.force, body.force)) / body.mass);
       if (body.turns && !q_.in_space) largest = std::max(largest, std::abs(body.torque) / body.inertia * q_.size);
     }
@@ -174,6 +176,7 @@ class Scene {
     dContact given{};
     given.surface.mode = dContactFDir1 | dContactApprox1 | dContactMu2;
     given.surface.mu = contact.friction;
+    if (contact.restitution > 0) given.surface.mode |= dContactBounce, given.surface.bounce = contact.restitution;
     if (q_.in_space) given.surface.mu2 = contact.friction;
     given.geom.depth = 1e-9 * q_.step * q_.step * natural();
     for (int i = 0; i < 3; ++i) {

@@ -27,7 +27,7 @@ function load(world, bodies, body, made) {
 
 /** Box2D rounds polygons by a skin; the disc touches the skin, and overlaps it by a little to be found. */
 function addContact(world, bodies, contact, index, size) {
-  const filter = { friction: contact.friction, density: 0, filterGroupIndex: index + 1, filterMaskBits: 0,
+  const filter = { friction: contact.friction, restitution: contact.restitution ?? 0, density: 0, filterGroupIndex: index + 1, filterMaskBits: 0,
                    userData: index };
   const [nx, ny] = contact.normal, { disc, half: r } = contact, skin = Settings.polygonRadius;
   const middle = contact.face.map((p, i) => p - (r + skin) * contact.normal[i]);

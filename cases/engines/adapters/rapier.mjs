@@ -39,7 +39,7 @@ function addContact(world, bodies, contact) {
   const [x, y, z, w] = contact.second ? turnBetween([0, 1, 0], contact.normal) : [0, 0, Math.sin(angle / 2), Math.cos(angle / 2)];
   const turned = space ? { x, y, z, w } : angle;
   const add = (desc, at, body) => world.createCollider(
-    desc.setTranslation(...three(at)).setDensity(0).setFriction(contact.friction)
+    desc.setTranslation(...three(at)).setDensity(0).setFriction(contact.friction).setRestitution(contact.restitution ?? 0)
       .setActiveHooks(rapier.ActiveHooks.FILTER_CONTACT_PAIRS)
       .setActiveCollisionTypes(rapier.ActiveCollisionTypes.ALL), bodies[body]).handle;
   const box = rapier.ColliderDesc.cuboid(r, r, r).setRotation(turned);

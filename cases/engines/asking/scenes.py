@@ -23,7 +23,7 @@ class Scene:
     @property
     def rests(self):
         """Whether rest is its one motion, in space."""
-        if not (self.in_space and self.expected and self.expected["can_rest"] and self.expected["how_many"] == "one"):
+        if not (self.in_space and self.expected and self.expected.get("can_rest") and self.expected["how_many"] == "one"):
             return False
         return all(value.get("double", 0) == 0 for value in self.expected["motions"][0]["accelerations"].values())
 

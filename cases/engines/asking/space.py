@@ -91,7 +91,7 @@ def own_shapes(scene, built):
 
 class WorldInSpace:
     def __init__(self, scene):
-        self.scene = scene
+        self.scene, self.impact = scene, "impact" in scene
         still = [0, 0, 0]
         ground = {"name": "ground", "at": still, "turn": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "velocity": still, "spin": still,
                   "acceleration": still, "turning": still, "unknowns": []}
@@ -114,11 +114,14 @@ class WorldInSpace:
             apart = [p - q for p, q in zip(centre, place(on, given["on_point"]))]
             normal = [a / (given["radius"] + given["on_radius"]) for a in apart]
         at = [p - given["radius"] * n for p, n in zip(centre, normal)]
-        self.refuse_turning(given, of, on, at, normal)
+        if not self.impact:
+            self.refuse_turning(given, of, on, at, normal)
+        if given.get("tangential_restitution"):
+            raise Refused(f"{given['name']}: a tangential restitution")
         tangent, second = given.get("tangents") or self.any_tangents(normal)
         return {"name": given["name"], "of": self.number[given["of"]], "on": self.number[given["on"]], "at": at,
                 "normal": normal, "tangent": tangent, "second": second, "radius": max(given["radius"], 0),
-                "friction": given["friction"], "forces": given["forces"]}
+                "friction": given["friction"], "forces": given["forces"], "restitution": given.get("restitution", 0)}
 
     @staticmethod
     def any_tangents(normal):
@@ -141,7 +144,7 @@ class WorldInSpace:
 
     def joint(self, given):
         first, second = (self.body(name) for name in given["between"])
-        if any(first["spin"]) or any(second["spin"]):
+        if (any(first["spin"]) or any(second["spin"])) and not self.impact:
             raise Refused(f"{given['name']}: bodies that turn, whose centripetal acceleration no first step contains")
         if given["kind"] == "gear":
             raise Refused(f"{given['name']}: a gear in space")
@@ -179,7 +182,8 @@ class WorldInSpace:
         axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
         if "inertia" in body:
             kept["inertia"], axes = principal(body["inertia"])
-            self.refuse_gyroscopic(body)
+            if not self.impact:
+                self.refuse_gyroscopic(body)
         return kept | {"turn": quaternion(product(body["turn"], axes)), "force": force, "torque": torque, "names": names_of(body)}
 
     @staticmethod

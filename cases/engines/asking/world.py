@@ -57,7 +57,7 @@ def forces_at_points(scene, body, place):
 
 class World:
     def __init__(self, scene):
-        self.scene = scene
+        self.scene, self.impact = scene, "impact" in scene  # which happens in no time, without accelerations
         ground = {"name": "ground", "at": [0, 0], "angle": [1, 0], "velocity": [0, 0], "spin": 0,
                   "acceleration": [0, 0], "turning": 0, "unknowns": []}
         self.bodies = [ground] + scene["bodies"]
@@ -83,11 +83,14 @@ class World:
             normal = [apart[0] / distance, apart[1] / distance]
         slip = given.get("slip_direction")
         at = [p - given["radius"] * n for p, n in zip(centre, normal)]
-        if of["spin"] or on["spin"]:
+        if (of["spin"] or on["spin"]) and not self.impact:
             self.refuse_turning(given, of, on, at)
+        if given.get("tangential_restitution"):
+            raise Refused(f"{given['name']}: a tangential restitution")
         return {"name": given["name"], "of": self.number[given["of"]], "on": self.number[given["on"]], "at": at,
                 "normal": normal, "tangent": turned(on, slip) if slip else [normal[1], -normal[0]],
-                "radius": max(given["radius"], 0), "friction": given["friction"], "forces": given["forces"]}
+                "radius": max(given["radius"], 0), "friction": given["friction"], "forces": given["forces"],
+                "restitution": given.get("restitution", 0)}
 
     def refuse_turning(self, given, of, on, at):
         """A wheel that rolls or slides on a line at rest needs no centripetal terms; all else that turns does."""
@@ -97,7 +100,7 @@ class World:
 
     def joint(self, given):
         first, second = (self.body(name) for name in given["between"])
-        if first["spin"] or second["spin"]:
+        if (first["spin"] or second["spin"]) and not self.impact:
             raise Refused(f"{given['name']}: bodies that turn, whose centripetal acceleration no first step contains")
         joint = {"name": given["name"], "kind": given["kind"], "first": self.number[first["name"]],
                  "second": self.number[second["name"]], "forces": given["forces"]}

@@ -28,6 +28,7 @@ class BodiesExporter {
 
   std::string line() {
     Json document{{"schema", "slipproof/bodies/1"}, {"name", scene_.name.empty() ? m_.name : scene_.name}};
+    if (m_.impact) document["impact"] = name(m_.impact->law);
     document["gravity"] = coordinates(unplaced(bodies_.gravity), bodies_.gravity.place);
     document["bodies"] = Json::array();
     for (std::size_t i = ground + 1; i < bodies_.bodies.size(); ++i)
@@ -87,12 +88,15 @@ class BodiesExporter {
     const Frame frame(body);
     put(entry, "mass", body.mass);
     if (body.inertia) entry["inertia"] = inertia(body.inertia);
-    if (body.is_prescribed()) entry["acceleration"] = coordinates(frame.acceleration, body.place);
-    if (!body.inertia) entry["turning"] = turning(frame.turning, body.place);
+    // An impact has velocities before it in place of accelerations, and nothing accelerates.
+    const SceneVector none = unplaced(PlacedVector{});
+    const bool impact = m_.impact.has_value();
+    if (body.is_prescribed()) entry["acceleration"] = coordinates(impact ? none : frame.acceleration, body.place);
+    if (!body.inertia) entry["turning"] = turning(impact ? none : frame.turning, body.place);
     entry["at"] = coordinates(frame.at, body.at.place);
     entry[in_space() ? "turn" : "angle"] = turn(frame, body.place);
-    entry["velocity"] = coordinates(frame.velocity, body.velocity.place);
-    entry["spin"] = turning(frame.spin, body.place);
+    entry["velocity"] = coordinates(impact ? unplaced(body.acceleration) : frame.velocity, body.velocity.place);
+    entry["spin"] = turning(impact ? unplaced(body.turning) : frame.spin, body.place);
     entry["shapes"] = list(body.shapes, &BodiesExporter::shape);
     entry["unknowns"] = Json::array();
     for (const Body::Unknown& one : body.unknowns) {
@@ -170,6 +174,8 @@ class BodiesExporter {
       put(entry, "static_friction", given.static_friction);
     }
     entry["bilateral"] = given.bilateral;
+    if (m_.impact) put(entry, "restitution", contact.restitution);
+    if (m_.impact) put(entry, "tangential_restitution", contact.tangential_restitution);
     put(entry, "slip_direction", contact.slip_direction);
     entry["forces"] = Json::array({unknown(given.normal)});
     if (given.tangent) entry["forces"].push_back(unknown(*given.tangent));

@@ -15,8 +15,10 @@ constexpr std::array<std::string_view, 15> local_keys{"dimension", "title", "con
                                                       "R",         "s",     "r",        "z", "u", "w", "lambda"};
 constexpr std::array<std::string_view, 14> global_keys{"dimension", "title", "contacts", "M", "H", "f", "w",
                                                        "mu",        "G",     "b",        "r", "z", "u", "lambda"};
-constexpr std::array<std::string_view, 7> law_keys{"law",   "bounds",     "compliance", "bias",
-                                                   "units", "slip_speed", "function"};
+constexpr std::array<std::string_view, 12> law_keys{
+    "law",        "bounds",   "compliance", "bias",        "units",
+    "slip_speed", "function", "impact",     "restitution", "tangential_restitution",
+    "u_before",   "v_before"};
 
 }  // namespace
 

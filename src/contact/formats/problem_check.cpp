@@ -1,5 +1,7 @@
 #include "contact/formats/problem_check.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -54,15 +56,27 @@ class ProblemCheck {
   void magnitudes(const std::string& name, const std::vector<double>& v, std::size_t expected, const char* what) {
     size(name, v, expected);
     finite(name, v);
-    const auto negative = std::ranges::find_if(v, [](double x) { return x < 0; });
-    if (negative == v.end()) return;
-    add(name + place(static_cast<std::size_t>(negative - v.begin())) + ": found " + short_number(*negative) +
-        ", expected " + what + ", which is not negative");
+    refuse_first(name, v, std::string(what) + ", which is not negative", [](double x) { return x < 0; });
+  }
+
+  /// From 0 to 1.
+  void shares(const std::string& name, const std::vector<double>& v, std::size_t expected) {
+    size(name, v, expected);
+    finite(name, v);
+    refuse_first(name, v, "a restitution, from 0 to 1", [](double x) { return x < 0 || x > 1; });
   }
 
   void add(const std::string& message) { mistakes_.add({}, message); }
 
  private:
+  template <class Wrong>
+  void refuse_first(const std::string& name, const std::vector<double>& v, const std::string& expected,
+                    const Wrong& wrong) {
+    const auto found = std::ranges::find_if(v, wrong);
+    if (found == v.end()) return;
+    add(name + place(static_cast<std::size_t>(found - v.begin())) + fmt::format(": found {}, expected ", *found) +
+        expected);
+  }
   static std::string place(std::size_t i) { return "[" + std::to_string(i + 1) + "]"; }
 
   Mistakes& mistakes_;
@@ -125,6 +139,18 @@ void check_law(const ProblemFile& p, ProblemCheck& check) {
     const std::string found = p.law.slip_speed == 0 ? "nothing or 0" : short_number(p.law.slip_speed);
     check.add("slip_speed: found " + found + ", expected a speed above 0");
   }
+}
+
+void check_impact(const ProblemFile& p, ProblemCheck& check) {
+  if (!p.impact) return;
+  const StepImpact& impact = *p.impact;
+  check.shares("restitution", impact.restitution, p.contacts());
+  if (!impact.tangential_restitution.empty()) {
+    check.shares("tangential_restitution", impact.tangential_restitution, p.contacts());
+  }
+  const bool global = p.form == ProblemForm::global;
+  check.size(velocities_before_key(global), impact.before, global ? p.f.size() : p.components());
+  check.finite(velocities_before_key(global), impact.before);
 }
 
 /// Rows of A x added to `sum`, their absolute values to `scale`.
@@ -213,6 +239,7 @@ void check_problem(const ProblemFile& problem, Mistakes& mistakes) {
   }
   check_contacts(problem, check);
   check_law(problem, check);
+  check_impact(problem, check);
 }
 
 AnswerSizes answer_sizes(const ProblemFile& problem) {
@@ -299,6 +326,10 @@ void add_remarks(ReadProblem& read) {
   if (problem.form == ProblemForm::global) remark_asymmetry("M", problem.M, problem);
   remark_rounded("compliance", problem.compliance, problem);
   remark_rounded("bias", problem.bias, problem);
+  if (const double lost = rounding_of_restored(problem); lost > 0) {
+    problem.remarks.push_back("what the law of impact restores is added in binary64, which changes it by up to " +
+                              short_number(lost));
+  }
   if (problem.components() == 0) problem.remarks.emplace_back("there is no contact in it");
   for (const SolverAnswer& answer : read.answers) {
     if (answer.origin != "/solution") continue;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/algebra/sparse_matrix.hpp"
+#include "contact/formats/impact/step_impact.hpp"
 #include "contact/formats/law.hpp"
 
 namespace slipproof {
@@ -35,6 +36,8 @@ struct ProblemFile {
   /// component and a bias b in its u = W r + R r + q + b; R and b are empty if absent.
   ContactLaw law;
   std::vector<double> compliance, bias;
+  /// Of a step in which contacts may approach. What it restores is added to u, as a bias is.
+  std::optional<StepImpact> impact;
   std::string force_unit, velocity_unit;  ///< as in the file; may be empty
   std::string title;                      ///< the same
   /// Remarks for users, not for programs: a stored solution with r = 0, numbers printed with six digits, a trailing

@@ -6,6 +6,7 @@
 #include "base/number/binary64.hpp"
 #include "contact/formats/entries.hpp"
 #include "contact/formats/json_problem.hpp"
+#include "mechanics/mechanism/mechanism.hpp"
 
 namespace slipproof {
 
@@ -33,6 +34,7 @@ class RoundedProblem {
     global ? read_global() : read_local();
     read_coefficients();
     read_law();
+    read_impact();
     read_units();
     SolverAnswer answer;
     answer.origin = "r, u";
@@ -107,6 +109,31 @@ class RoundedProblem {
     if (json_.find(key) == nullptr || json_.find("law") == nullptr || read_.problem.law.kind == law) return;
     json_.refuse(key, "found it with the law " + std::string(word(read_.problem.law.kind)) + ", expected " +
                           std::string(word(law)));
+  }
+
+  /// A law of impact, beside that of friction.
+  void read_impact() {
+    ProblemFile& p = read_.problem;
+    const std::string before = velocities_before_key(p.form == ProblemForm::global);
+    const auto word = text_of("impact");
+    for (const std::string key : {"restitution", "tangential_restitution", "u_before", "v_before"}) {
+      if (json_.find(key) == nullptr) continue;
+      if (!word) json_.refuse(key, "found it without impact, expected impact: \"newton\" or \"moreau\"");
+      if (key.ends_with("before") && key != before) json_.refuse(key, "found it, expected " + before + " in this form");
+    }
+    if (!word) return;
+    const auto law = parse_impact_law(*word);
+    if (!law || *law == ImpactLaw::poisson) {
+      json_.refuse("impact", "found '" + *word + "', expected newton or moreau" +
+                                 (law ? ": a record does not tell the impulses at the end of compression" : ""));
+    }
+    json_.need("restitution", "a restitution, or one for each contact");
+    json_.need(before, "the velocities before the step");
+    p.impact.emplace();
+    p.impact->law = *law;
+    p.impact->restitution = each("restitution", p.contacts());
+    p.impact->tangential_restitution = each("tangential_restitution", p.contacts());
+    p.impact->before = vector(before);
   }
 
   void read_units() {

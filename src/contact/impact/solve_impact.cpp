@@ -3,6 +3,9 @@
 #include <algorithm>
 
 #include "base/input/diagnostic.hpp"
+#include "base/output/listed.hpp"
+#include "contact/impact/impact_energy.hpp"
+#include "contact/impact/poisson_in_space.hpp"
 #include "contact/judge/all_solutions.hpp"
 #include "contact/space/solve_space.hpp"
 #include "mechanics/scene/solve_mechanism.hpp"
@@ -15,87 +18,42 @@ namespace {
   throw InputError({{mechanism.file, 0, 0, message}});
 }
 
-/// Numbers of the instant before, and the matrix of the kinetic energy.
-class Before {
- public:
-  explicit Before(const MechanismScene& scene) : m_(scene.mechanism), maker_(m_), at_(maker_.at(scene.values)) {
-    if (m_.load && !scene.load) refuse(m_, "found no value of " + m_.load->symbol + ", expected one");
-    if (scene.load) at_.set(maker_.compiled().load(), *scene.load);
-  }
-
-  void fill(SolvedImpact& result) {
-    const MechanismImpact& impact = *m_.impact;
-    for (const Expression& velocity : impact.velocities) result.velocities.push_back(number(velocity));
-    for (const MechanismImpact::Contact& contact : impact.contacts) {
-      result.contacts.push_back({contact.opening != nullptr, number(contact.opening), number(contact.sliding),
-                                 number(contact.second), number(contact.restored), number(contact.slip_restored),
-                                 number(contact.second_restored)});
-    }
-    result.driven =
-        std::ranges::any_of(impact.prescribed, [&](const Expression& one) { return !number(one).is_zero(); });
-    read_masses();
-    result.energy = *energy(points(result.velocities)).lower;
-  }
-
-  /// Half of v M v. Exact for points; otherwise a range that holds it.
-  Range energy(const std::vector<Range>& velocities) const {
-    Range sum{Rational(0), Rational(0)};
-    for (std::size_t i = 0; i < masses_.size(); ++i) {
-      for (std::size_t j = 0; j <= i; ++j) {
-        const Rational factor = i == j ? Rational(masses_[i][i] / 2) : Rational((masses_[i][j] + masses_[j][i]) / 2);
-        if (!factor.is_zero()) add(sum, factor, product(velocities[i], velocities[j], i == j));
-      }
-    }
-    return sum;
-  }
-
- private:
-  /// 0 for null.
-  Rational number(const Expression& expression) {
+/// Of each contact, before.
+void add_contacts(const ProblemMaker& maker, SolvedImpact& result) {
+  const Mechanism& mechanism = result.scene.mechanism;
+  Evaluator<Rational> at = maker.at(result.scene.values);
+  if (result.scene.load) at.set(maker.compiled().load(), *result.scene.load);
+  const auto number = [&](const Expression& expression) -> Rational {  // 0 for null
     if (!expression) return 0;
-    auto value = at_.number(maker_.compiled().compile(expression));
-    if (!value.number) refuse(m_, "a velocity before the impact has no value: it divides by zero");
+    auto value = at.number(maker.compiled().compile(expression));
+    if (!value.number) throw NoValue("a velocity before the impact has no value: it divides by zero");
     return std::move(*value.number);
+  };
+  for (const MechanismImpact::Contact& contact : mechanism.impact->contacts) {
+    result.contacts.push_back({contact.opening != nullptr, number(contact.opening), number(contact.sliding),
+                               number(contact.second), number(contact.restored), number(contact.slip_restored),
+                               number(contact.second_restored)});
   }
+}
 
-  void read_masses() {
-    const std::size_t size = m_.impact->velocities.size();
-    for (std::size_t i = 0; i < size; ++i) {
-      auto row = coefficients(maker_.compiled().equations[i], at_, m_.unknowns.size());
-      if (!row) refuse(m_, "the equation " + m_.equations[i].name + " has no value: it divides by zero");
-      row->resize(size);
-      masses_.push_back(std::move(*row));
-    }
+/// All that is known before the outcomes.
+ImpactEnergy fill(SolvedImpact& result) {
+  const MechanismScene& scene = result.scene;
+  const Mechanism& mechanism = scene.mechanism;
+  if (mechanism.load && !scene.load)
+    refuse(mechanism, "found no value of " + mechanism.load->symbol + ", expected one");
+  try {
+    const ProblemMaker maker(mechanism);
+    add_contacts(maker, result);
+    ImpactEnergy energy(mechanism, maker, scene.values, scene.load);
+    result.velocities = energy.velocities();
+    result.energy = energy.before();
+    result.driven = energy.is_driven();
+    return energy;
+  } catch (const NoValue& none) {
+    refuse(mechanism, none.what());
   }
-
-  static Range product(const Range& x, const Range& y, bool square) {
-    if (!x.lower || !x.upper || !y.lower || !y.upper) return {};
-    std::vector<Rational> corners;
-    for (const Rational& one : {*x.lower, *x.upper}) {
-      for (const Rational& other : {*y.lower, *y.upper}) corners.push_back(one * other);
-    }
-    if (square) {
-      corners = {*x.lower * *x.lower, *x.upper * *x.upper};
-      if (x.lower->sign() < 0 && x.upper->sign() > 0) corners.emplace_back(0);
-    }
-    const auto [least, most] = std::ranges::minmax(corners);
-    return {least, most};
-  }
-
-  static void add(Range& sum, const Rational& factor, Range term) {
-    if (factor.sign() < 0) std::swap(term.lower, term.upper);
-    const auto end = [&](std::optional<Rational>& to, const std::optional<Rational>& by) {
-      to = to && by ? std::optional(Rational(*to + factor * *by)) : std::nullopt;
-    };
-    end(sum.lower, term.lower);
-    end(sum.upper, term.upper);
-  }
-
-  const Mechanism& m_;
-  const ProblemMaker maker_;
-  Evaluator<Rational> at_;
-  std::vector<std::vector<Rational>> masses_;
-};
+}
 
 template <class Values>
 std::vector<std::optional<Range>> optional_ranges(const Values& ranges) {
@@ -159,10 +117,17 @@ SolvedImpact solve_impact(MechanismScene scene) {
   result.scene = std::move(scene);
   const Mechanism& mechanism = result.scene.mechanism;
   if (!mechanism.impact) refuse(mechanism, "found a scene without an impact, expected bodies, read with a law");
-  Before before(result.scene);
-  before.fill(result);
+  const ImpactEnergy energy = fill(result);
   refuse_without_approach(result);
-  if (mechanism.dimension == 3) {
+  if (mechanism.dimension == 3 && mechanism.impact->law == ImpactLaw::poisson) {
+    PoissonInSpace found = solve_poisson_in_space(result.scene);
+    result.space = std::move(found.space);
+    result.undecided = result.space->undecided;
+    add_outcomes(*result.space, result.outcomes);
+    for (std::size_t i = 0; i < result.outcomes.size(); ++i) {
+      result.outcomes[i].modes.front() += " after " + listed(found.compression[i], "/");
+    }
+  } else if (mechanism.dimension == 3) {
     result.space = solve_space(result.scene);
     result.undecided = result.space->undecided;
     add_outcomes(*result.space, result.outcomes);
@@ -171,7 +136,7 @@ SolvedImpact solve_impact(MechanismScene scene) {
     add_outcomes(*result.plane->at_load, result.outcomes);
   }
   for (ImpactOutcome& outcome : result.outcomes) {
-    outcome.energy = before.energy(outcome.motion);
+    outcome.energy = energy.of(outcome.motion);
     if (result.driven) continue;
     if (outcome.energy.lower && *outcome.energy.lower > result.energy) outcome.gains = true;
     if (outcome.energy.upper && *outcome.energy.upper <= result.energy) outcome.gains = false;

@@ -68,6 +68,10 @@ MixedProblem mixed_problem(const ProblemFile& file) {
   }
   add_to_diagonal(entries, result.free, file.compliance);
   for (std::size_t i = 0; i < file.bias.size(); ++i) result.c[result.free + i] += file.bias[i];
+  if (file.impact) {
+    const std::vector<Rational> restored = restored_velocities(file);
+    for (std::size_t i = 0; i < components; ++i) result.c[result.free + i] += nearest_binary64(restored[i]);
+  }
   result.law = file.law;
   result.dimension = file.dimension;
   const std::size_t n = result.free + components;

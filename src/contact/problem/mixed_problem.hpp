@@ -36,10 +36,10 @@ struct MixedProblem {
   std::size_t normal(std::size_t k) const { return free + dimension * k; }
 };
 
-/// A problem as files hold it: free unknowns are lambda, or (v, lambda). With the solver's law, compliance and bias.
-/// Linear.
+/// A problem as files hold it: free unknowns are lambda, or (v, lambda). With the solver's law, compliance and bias,
+/// and with what a law of impact restores. Linear.
 MixedProblem mixed_problem(const ProblemFile& file);
-/// The problem with Coulomb's law, rigid and without bias.
+/// The problem with Coulomb's law, rigid and without bias; a law of impact stays.
 MixedProblem coulomb_problem(ProblemFile file);
 
 /// A problem without free unknowns in dimension 1 or 2, exactly as it is. Throws NumberError for NaN and infinities.

@@ -6,7 +6,6 @@
 
 #include "contact/judge/all_in_space.hpp"
 #include "contact/space/from_contacts.hpp"
-#include "contact/space/space_problem.hpp"
 #include "mechanics/points/degrees.hpp"
 
 namespace slipproof {
@@ -186,24 +185,28 @@ class MotionReader {
 
 }  // namespace
 
+SolvedSpace read_motions(MechanismScene scene, const SpaceProblem& problem, const ReducedSpace& free,
+                         const AllSolutions& all) {
+  SolvedSpace solved;
+  const MotionReader reader(scene.mechanism, problem, free);
+  for (const FoundSolution& found : all.solutions) solved.motions.push_back(reader.read(found));
+  solved.undecided = all.unexamined;
+  solved.open_speed = all.open_speed;
+  solved.scene = std::move(scene);
+  return solved;
+}
+
 SolvedSpace solve_space(MechanismScene scene, const CompleteOptions& options) {
   const SpaceProblem problem = space_problem(scene);
   const ReducedSpace free = reduced(problem, scene.mechanism);
-  SolvedSpace solved;
-  const MotionReader reader(scene.mechanism, problem, free);
   if (problem.contacts.empty()) {
-    FoundSolution none;
-    none.strict = true;
-    solved.motions.push_back(reader.read(none));
-  } else {
-    const SolutionTree tree{all_solutions(free.contacts, options), {}};
-    const AllSolutions all = all_solutions_of(tree);
-    for (const FoundSolution& found : all.solutions) solved.motions.push_back(reader.read(found));
-    solved.undecided = all.unexamined;
-    solved.open_speed = all.open_speed;
-    solved.programs = tree.solutions.programs;
+    AllSolutions one;
+    one.solutions.emplace_back().strict = true;
+    return read_motions(std::move(scene), problem, free, one);
   }
-  solved.scene = std::move(scene);
+  const SolutionTree tree{all_solutions(free.contacts, options), {}};
+  SolvedSpace solved = read_motions(std::move(scene), problem, free, all_solutions_of(tree));
+  solved.programs = tree.solutions.programs;
   return solved;
 }
 

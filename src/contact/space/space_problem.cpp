@@ -20,6 +20,12 @@ class SpaceProblemMaker {
         kinds_(element_kinds(m_, scene.values.starts, scene.values.given)) {}
 
   SpaceProblem problem() {
+    if (m_.impact && m_.impact->law == ImpactLaw::poisson) {
+      mistakes_.add({},
+                    "found an impact in space by Poisson's law, whose two phases only `slipproof impact` solves, "
+                    "expected \"newton\" or \"moreau\"");
+      mistakes_.refuse_if_any();
+    }
     if (m_.load && !scene_.load) {
       mistakes_.add(m_.load->place,
                     "found no value of the load " + m_.load->symbol + ", expected one: a scene in space has one");

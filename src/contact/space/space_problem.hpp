@@ -39,7 +39,8 @@ struct SpaceProblem {
 };
 
 /// At the scene's load. Throws InputError for what such a problem cannot express: a guide with friction, a static
-/// coefficient of its own at rest, a contact whose lift is not modelled, a load without a value, a division by 0.
+/// coefficient of its own at rest, a contact whose lift is not modelled, a load without a value, a division by 0, an
+/// impact by Poisson's law.
 SpaceProblem space_problem(const MechanismScene& scene);
 
 /// Links and accelerations eliminated, exactly: v = V r + v0, lambda = L r + l0. A contact that slides pushes by

@@ -11,6 +11,8 @@
  *   ...
  *   if (slipproof_record_close(&recorder) != SLIPPROOF_RECORD_OK) ...
  *
+ * If contacts approach, `impact` names the law of impact, with `restitution` and the velocities before the step.
+ *
  * A step holds W r + q by one of three: `W`, dense; `entries` of it; or `bodies`, M v = J^T r + f with u = J v + w. Any
  * consistent units will do; impulses with velocities, or forces with accelerations. NaN and infinities are written as
  * they are: they are answers, and wrong ones.
@@ -46,6 +48,14 @@ typedef enum slipproof_record_law {
   SLIPPROOF_LAW_REGULARISED /* needs `slip_speed` */
 } slipproof_record_law;
 
+/* The law of impact, if contacts approach. Newton's restores e times the velocity of approach where a contact
+ * approaches, Moreau's e times the velocity at all contacts; both a tangential velocity, too. */
+typedef enum slipproof_record_impact {
+  SLIPPROOF_IMPACT_NONE,
+  SLIPPROOF_IMPACT_NEWTON,
+  SLIPPROOF_IMPACT_MOREAU
+} slipproof_record_impact;
+
 /* An entry of W, row and column from 0, none twice. */
 typedef struct slipproof_record_entry {
   size_t row, column;
@@ -70,9 +80,14 @@ typedef struct slipproof_record_step {
   const double* r; /* the answer, n impulses or forces */
   const double* u; /* n velocities W r + q, if the solver gives them */
   slipproof_record_law law;
-  const double* compliance; /* n, or none: the solver's u has R r added; see LAWS.md */
-  const double* bias;       /* n, or none: and this */
-  const double* bounds;     /* contacts * (dimension - 1) */
+  const double* compliance;             /* n, or none: the solver's u has R r added; see LAWS.md */
+  const double* bias;                   /* n, or none: and this */
+  const double* bounds;                 /* contacts * (dimension - 1) */
+  slipproof_record_impact impact;       /* with the next ones, or none of them */
+  const double* restitution;            /* of each contact, from 0 to 1 */
+  const double* tangential_restitution; /* the same, or none for 0 */
+  const double* u_before;               /* n velocities of contacts before the step, with W or entries */
+  const double* v_before;               /* velocities of bodies before the step, with bodies */
   double slip_speed;
   int soft;               /* regularised by s / sqrt(1 + s^2), not by min(s, 1) */
   const char* title;      /* "step 17"; none: the number of the step. Printable ASCII without quotes and backslashes */
@@ -252,6 +267,34 @@ static inline int slipproof_record_plain(const char* text) {
   return 1;
 }
 
+static inline int slipproof_record_are_shares(const double* values, size_t count) {
+  size_t k;
+  for (k = 0; k < count && values; ++k) {
+    if (!(values[k] >= 0 && values[k] <= 1)) return 0;
+  }
+  return 1;
+}
+
+/* What is wrong with the impact of a step; none if nothing is. */
+static inline const char* slipproof_record_check_impact(const slipproof_record_step* step) {
+  if ((int)step->impact < SLIPPROOF_IMPACT_NONE || (int)step->impact > SLIPPROOF_IMPACT_MOREAU)
+    return "impact: expected a law of impact";
+  if (step->impact == SLIPPROOF_IMPACT_NONE) {
+    const int given = step->restitution || step->tangential_restitution || step->u_before || step->v_before;
+    return given ? "impact: expected a law with restitution, u_before or v_before" : NULL;
+  }
+  if (step->contacts > 0 && !step->restitution)
+    return "restitution: expected one for each contact with a law of impact";
+  if (!slipproof_record_are_shares(step->restitution, step->contacts) ||
+      !slipproof_record_are_shares(step->tangential_restitution, step->contacts))
+    return "restitution: expected numbers from 0 to 1";
+  if (step->contacts > 0 && step->bodies == 0 && (!step->u_before || step->v_before))
+    return "u_before: expected with W or entries, without v_before";
+  if (step->bodies > 0 && (!step->v_before || step->u_before))
+    return "v_before: expected with bodies, without u_before";
+  return NULL;
+}
+
 /* What is wrong with a step; none if nothing is. */
 static inline const char* slipproof_record_check(const slipproof_record_step* step) {
   const int forms = (step->W != NULL) + (step->entries != NULL) + (step->bodies > 0);
@@ -287,7 +330,20 @@ static inline const char* slipproof_record_check(const slipproof_record_step* st
   for (k = 0; k + step->contacts < n && step->bounds; ++k) {
     if (!(step->bounds[k] >= 0)) return "bounds: expected no negative number";
   }
-  return NULL;
+  return slipproof_record_check_impact(step);
+}
+
+static inline void slipproof_record_add_impact(slipproof_record_text* text, const slipproof_record_step* step) {
+  if (step->impact == SLIPPROOF_IMPACT_NONE) return;
+  slipproof_record_key(text, "impact");
+  slipproof_record_word(text, step->impact == SLIPPROOF_IMPACT_NEWTON ? "\"newton\"" : "\"moreau\"");
+  slipproof_record_vector(text, "restitution", step->restitution, step->contacts);
+  if (step->tangential_restitution)
+    slipproof_record_vector(text, "tangential_restitution", step->tangential_restitution, step->contacts);
+  if (step->bodies > 0)
+    slipproof_record_vector(text, "v_before", step->v_before, step->bodies);
+  else
+    slipproof_record_vector(text, "u_before", step->u_before, (size_t)step->dimension * step->contacts);
 }
 
 static inline void slipproof_record_line(slipproof_record_text* text, const slipproof_record_step* step,
@@ -343,6 +399,7 @@ static inline void slipproof_record_line(slipproof_record_text* text, const slip
     slipproof_record_key(text, "function");
     slipproof_record_word(text, step->soft ? "\"soft\"" : "\"linear\"");
   }
+  slipproof_record_add_impact(text, step);
   slipproof_record_vector(text, "r", step->r, n);
   if (step->u) slipproof_record_vector(text, "u", step->u, n);
   if (step->force_unit) {
@@ -354,6 +411,19 @@ static inline void slipproof_record_line(slipproof_record_text* text, const slip
     slipproof_record_word(text, "\"}");
   }
   slipproof_record_word(text, "}\n");
+}
+
+/* What the law of impact adds to component `row` of u, in floating point. */
+static inline double slipproof_record_restored(const slipproof_record_step* step, size_t row) {
+  const size_t d = (size_t)step->dimension, contact = row / d;
+  const double* e = row % d == 0 ? step->restitution : step->tangential_restitution;
+  double before;
+  size_t j;
+  if (step->impact == SLIPPROOF_IMPACT_NONE || !e) return 0;
+  before = step->bodies == 0 ? step->u_before[row] : step->w ? step->w[row] : 0;
+  for (j = 0; j < step->bodies; ++j) before += step->J[row * step->bodies + j] * step->v_before[j];
+  if (row % d == 0 && step->impact == SLIPPROOF_IMPACT_NEWTON && before > 0) return 0;
+  return e[contact] * before;
 }
 
 /* Component `row` of the law's u, in floating point, and how much it changes with its own force. */
@@ -385,7 +455,7 @@ static inline double slipproof_record_velocity(const slipproof_record_step* step
     *change += step->compliance[row];
   }
   if (step->bias) u += step->bias[row];
-  return u;
+  return u + slipproof_record_restored(step, row);
 }
 
 static inline double slipproof_record_clamped(double x, double bound) {

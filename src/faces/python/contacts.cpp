@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "base/number/parse.hpp"
@@ -18,6 +19,7 @@
 #include "faces/python/bind.hpp"
 #include "faces/python/interruptible.hpp"
 #include "faces/python/numbers.hpp"
+#include "mechanics/mechanism/mechanism.hpp"
 #include "records/problems/contact_file.hpp"
 #include "records/problems/problem_batch.hpp"
 #include "report/html/contact_report.hpp"
@@ -88,11 +90,24 @@ Judged judged(const Source& source, const ContactFileOptions& options) {
   return Judged(interruptible([source, options](Call&) { return judge(source, options); }));
 }
 
+/// Law, restitution, tangential restitution, velocities before: see Impact in Python.
+using Impact = std::optional<std::tuple<std::string, Doubles, std::optional<Doubles>, Doubles>>;
+
+/// Without the velocities before.
+std::optional<StepImpact> step_impact(const Impact& given) {
+  if (!given) return std::nullopt;
+  const auto& [law, restitution, tangential, before] = *given;
+  StepImpact impact{*parse_impact_law(law), copied(restitution), {}, {}};
+  if (tangential) impact.tangential_restitution = copied(*tangential);
+  return impact;
+}
+
 /// What a law needs, and what a solver adds to u: see certify() in Python.
 struct SolverLaw {
   std::optional<Doubles> bounds, compliance, bias;
   std::optional<double> slip_speed;
   std::string function;
+  Impact impact;
 
   void put(ProblemFile& problem) const {
     if (bounds) problem.law.bounds = copied(*bounds);
@@ -100,6 +115,7 @@ struct SolverLaw {
     if (bias) problem.bias = copied(*bias);
     if (slip_speed) problem.law.slip_speed = *slip_speed;
     if (const auto known = regularisation_called(function)) problem.law.function = *known;
+    problem.impact = step_impact(impact);
   }
 };
 
@@ -113,6 +129,7 @@ ReadProblem problem_of(SparseMatrix W, const Doubles& q, const std::optional<Dou
   read.problem.q = copied(q);
   if (mu) read.problem.mu = copied(*mu);
   law.put(read.problem);
+  if (law.impact) read.problem.impact->before = copied(std::get<3>(*law.impact));
   if (z) read.answers.push_back({"z", copied(*z), w ? copied(*w) : std::vector<double>(), {}, {}});
   Mistakes mistakes("arguments");
   check_problem(read.problem, mistakes);
@@ -140,8 +157,11 @@ SparseMatrix matrix_of(const py::tuple& parts, std::size_t size) {
 
 using Given = std::optional<Doubles>;
 
+std::span<const double> values_of(const Doubles& values) {
+  return {values.data(), static_cast<std::size_t>(values.size())};
+}
 std::span<const double> numbers_of(const Given& values) {
-  return values ? std::span(values->data(), static_cast<std::size_t>(values->size())) : std::span<const double>();
+  return values ? values_of(*values) : std::span<const double>();
 }
 
 /// A matrix of each problem, if there is one of each.
@@ -198,13 +218,14 @@ py::tuple certify_problems(const py::tuple& matrix, const Doubles& q, const Give
   batch.q = numbers_of(q), batch.r = numbers_of(z), batch.u = numbers_of(w);
   put_friction(mu, batch);
   law.put(batch.common);
+  if (law.impact) batch.before = values_of(std::get<3>(*law.impact));
   return judged_batch(batch, options, threads, progress);
 }
 
 /// f, w and the parts of answers have a row for each problem; M, H and mu may be the same for all of them.
 py::tuple certify_bodies(const Doubles& M, const Doubles& H, const Doubles& f, const Doubles& w, const Doubles& mu,
-                         std::size_t dimension, const std::array<Given, 3>& answers, const ContactFileOptions& options,
-                         unsigned threads, const py::object& progress) {
+                         std::size_t dimension, const std::array<Given, 3>& answers, const Impact& impact,
+                         const ContactFileOptions& options, unsigned threads, const py::object& progress) {
   ProblemBatch batch;
   batch.count = static_cast<std::size_t>(f.shape(0));
   batch.common.form = ProblemForm::global;
@@ -214,6 +235,8 @@ py::tuple certify_bodies(const Doubles& M, const Doubles& H, const Doubles& f, c
   put_friction(mu, batch);
   batch.f = numbers_of(f), batch.w = numbers_of(w);
   batch.r = numbers_of(answers[0]), batch.u = numbers_of(answers[1]), batch.v = numbers_of(answers[2]);
+  batch.common.impact = step_impact(impact);
+  if (impact) batch.before = values_of(std::get<3>(*impact));
   return judged_batch(batch, options, threads, progress);
 }
 
@@ -239,20 +262,20 @@ void bind_problems(py::module_& module) {
       [](const py::tuple& matrix, const Doubles& q, const std::optional<Doubles>& mu, std::size_t dimension,
          const std::optional<Doubles>& z, const std::optional<Doubles>& w, const std::optional<Doubles>& bounds,
          const std::optional<Doubles>& compliance, const std::optional<Doubles>& bias, std::optional<double> slip_speed,
-         const std::string& function, const ContactFileOptions& options) {
+         const std::string& function, const Impact& impact, const ContactFileOptions& options) {
         SparseMatrix W = matrix_of(matrix, static_cast<std::size_t>(q.size()));
-        const SolverLaw law{bounds, compliance, bias, slip_speed, function};
+        const SolverLaw law{bounds, compliance, bias, slip_speed, function, impact};
         return judged({"arguments", problem_of(std::move(W), q, mu, dimension, z, w, law), std::nullopt}, options);
       });
-  module.def(
-      "certify_problems",
-      [](const py::tuple& matrix, const Doubles& q, const std::optional<Doubles>& mu, std::size_t dimension,
-         const std::optional<Doubles>& z, const std::optional<Doubles>& w, const std::optional<Doubles>& bounds,
-         const std::optional<Doubles>& compliance, const std::optional<Doubles>& bias, std::optional<double> slip_speed,
-         const std::string& function, const ContactFileOptions& options, unsigned threads, const py::object& progress) {
-        const SolverLaw law{bounds, compliance, bias, slip_speed, function};
-        return certify_problems(matrix, q, mu, dimension, z, w, law, options, threads, progress);
-      });
+  module.def("certify_problems",
+             [](const py::tuple& matrix, const Doubles& q, const std::optional<Doubles>& mu, std::size_t dimension,
+                const std::optional<Doubles>& z, const std::optional<Doubles>& w, const std::optional<Doubles>& bounds,
+                const std::optional<Doubles>& compliance, const std::optional<Doubles>& bias,
+                std::optional<double> slip_speed, const std::string& function, const Impact& impact,
+                const ContactFileOptions& options, unsigned threads, const py::object& progress) {
+               const SolverLaw law{bounds, compliance, bias, slip_speed, function, impact};
+               return certify_problems(matrix, q, mu, dimension, z, w, law, options, threads, progress);
+             });
   module.def("certify_bodies", &certify_bodies);
   module.attr("contact_verdicts") = contact_verdicts();
   module.def("exact", [](const std::string& text) { return to_python(parse_rational(text)); });

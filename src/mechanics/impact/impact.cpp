@@ -261,12 +261,9 @@ Mechanism impact_of(const Mechanism& mechanism, const Bodies& bodies, const Body
     return ImpactDerivation(mechanism, bodies, law, suffix, mistakes);
   };
   if (law != ImpactLaw::poisson) return derivation("").derive(geometry, approaches);
-  if (bodies.dimension == 3) {
-    mistakes.add({}, "found Poisson's law in space, expected \"newton\" or \"moreau\"");
-    return mechanism;
-  }
   const std::vector<Expression> restitution = derivation("").restitutions();
   if (!mistakes.empty()) return mechanism;
+  if (bodies.dimension == 3) return derivation("").derive(geometry, approaches);
   return poisson_of(derivation("").derive(geometry, approaches),
                     derivation("_compression").derive(geometry, approaches), restitution, mistakes);
 }

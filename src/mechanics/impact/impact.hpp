@@ -21,8 +21,9 @@ using Approaches = std::vector<std::optional<int>>;
 /// names that the file gives stay. A gap is what the law has complementary to N; slip is the velocity of sliding after.
 /// Limits of friction are the kinetic ones. The load has no impulse and becomes a parameter that may be left out.
 /// Moreau's law restores velocity at all closed contacts, Newton's at those that approach; both restore sliding by a
-/// restitution of its own. Reports a contact without a
-/// restitution, and what the law cannot have.
+/// restitution of its own. Poisson's law in space restores nothing in this mechanism, which is one phase: its outcomes
+/// are those of both, with the restitution of each contact of its bodies. Reports a contact without a restitution, and
+/// what the law cannot have.
 Mechanism impact_of(const Mechanism& mechanism, const Bodies& bodies, const BodyGeometry& geometry,
                     const Approaches& approaches, ImpactLaw law, Mistakes& mistakes);
 

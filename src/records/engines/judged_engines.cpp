@@ -7,7 +7,9 @@
 
 #include "base/input/text_file.hpp"
 #include "base/input/toml.hpp"
+#include "base/number/binary64.hpp"
 #include "base/parallel/in_parallel.hpp"
+#include "contact/impact/impact_energy.hpp"
 #include "contact/problem/tolerance.hpp"
 #include "records/judging/record_judge.hpp"
 
@@ -34,19 +36,67 @@ EngineScene scene_of(const fs::path& file, const fs::path& scenes) {
           {}};
 }
 
-void judge(const RecordJudge& judge, ExactJudge& exact, JudgedEngineAnswer& judged) {
-  const EngineAnswer& answer = judged.answer;
-  if (!answer.refused.empty()) judged.verdict = EngineVerdict::refused;
-  if (answer.motion.empty()) return;
-  const Record record = judge.record(answer.motion);
-  const std::string missing = incomplete(record.present, judge.fields(), judge.certified());
-  if (!missing.empty()) throw std::invalid_argument(missing);
-  const RecordJudgement found = exact(record);
-  judged.distance = found.distance;
-  judged.verdict = found.verdict == RecordVerdict::undecided           ? EngineVerdict::undecided
-                   : !found.distance || *found.distance > contact_near ? EngineVerdict::wrong
-                   : *found.distance > engine_right                    ? EngineVerdict::near
-                                                                       : EngineVerdict::right;
+EngineVerdict verdict_of(const RecordJudgement& found) {
+  if (found.verdict == RecordVerdict::undecided) return EngineVerdict::undecided;
+  if (!found.distance || *found.distance > contact_near) return EngineVerdict::wrong;
+  return *found.distance > engine_right ? EngineVerdict::near : EngineVerdict::right;
+}
+
+/// Judges all answers to a scene: by its motions, or by the outcomes of one law of impact.
+class SceneJudge {
+ public:
+  explicit SceneJudge(MechanismScene scene)
+      : scene_(std::move(scene)),
+        judge_(CertifiedMechanism(scene_), {.tolerance = engine_right, .near = contact_near}),
+        exact_(judge_.exact()) {  // all answers are at one point
+    const Mechanism& m = scene_.mechanism;
+    if (m.impact) energy_.emplace(m, ProblemMaker(m), scene_.values, scene_.load);
+  }
+
+  void operator()(JudgedEngineAnswer& judged) {
+    const EngineAnswer& answer = judged.answer;
+    if (!answer.refused.empty()) judged.verdict = EngineVerdict::refused;
+    if (answer.motion.empty()) return;
+    const Record record = judge_.record(answer.motion);
+    const std::string missing = incomplete(record.present, judge_.fields(), judge_.certified());
+    if (!missing.empty()) throw std::invalid_argument(missing);
+    const RecordJudgement found = exact_(record);
+    const EngineVerdict verdict = verdict_of(found);
+    const bool nearer = found.distance && (!judged.distance || *found.distance < *judged.distance);
+    if (verdict < judged.verdict || (verdict == judged.verdict && nearer)) {  // at first it has failed
+      judged.verdict = verdict, judged.distance = found.distance;
+    }
+    if (!energy_) return;
+    if (verdict == EngineVerdict::right) judged.laws.push_back(scene_.mechanism.impact->law);
+    judged.energy_gained = gained(record);
+  }
+
+ private:
+  std::optional<double> gained(const Record& record) const {
+    if (energy_->before().is_zero()) return std::nullopt;
+    std::vector<Range> after;
+    for (std::size_t i = 0; i < energy_->velocities().size(); ++i) {
+      const Rational velocity = record.exactly(judge_.fields().first_answer() + i);
+      after.push_back({velocity, velocity});
+    }
+    return nearest_binary64((*energy_->of(after).lower - energy_->before()) / energy_->before());
+  }
+
+  const MechanismScene scene_;
+  const RecordJudge judge_;
+  ExactJudge exact_;
+  std::optional<ImpactEnergy> energy_;
+};
+
+void judge_answers(EngineScene& scene, MechanismScene by) {
+  SceneJudge judge(std::move(by));
+  for (JudgedEngineAnswer& answer : scene.answers) {
+    try {
+      judge(answer);
+    } catch (const std::invalid_argument& error) {  // a name that the mechanism has not
+      throw InputError({{scene.file.string(), 0, 0, answer.answer.engine + ": " + error.what()}});
+    }
+  }
 }
 
 }  // namespace
@@ -100,7 +150,7 @@ JudgedEngines judge_engines(const fs::path& folder) {
         continue;
       }
       result.engines.push_back(answer.engine);
-      result.scenes[scene->second].answers.push_back({std::move(answer), EngineVerdict::failed, std::nullopt});
+      result.scenes[scene->second].answers.push_back({std::move(answer), EngineVerdict::failed, {}, {}, {}});
     }
     mistakes.refuse_if_any();
   }
@@ -108,15 +158,9 @@ JudgedEngines judge_engines(const fs::path& folder) {
   result.engines.erase(std::unique(result.engines.begin(), result.engines.end()), result.engines.end());
   in_parallel(0, result.scenes.size(), [&](std::size_t i) {
     EngineScene& scene = result.scenes[i];
-    const RecordJudge judge_of_scene(CertifiedMechanism(scene.scene),
-                                     {.tolerance = engine_right, .near = contact_near});
-    ExactJudge exact = judge_of_scene.exact();  // all answers are at one point
-    for (JudgedEngineAnswer& answer : scene.answers) {
-      try {
-        judge(judge_of_scene, exact, answer);
-      } catch (const std::exception& error) {  // a name that the mechanism has not
-        throw InputError({{scene.file.string(), 0, 0, answer.answer.engine + ": " + error.what()}});
-      }
+    if (!scene.scene.mechanism.impact) return judge_answers(scene, scene.scene);
+    for (const ImpactLaw law : judged_laws) {
+      judge_answers(scene, read_scene(scene.file, {Dimensions::any, ImpactRequest{law}}));
     }
   });
   return result;

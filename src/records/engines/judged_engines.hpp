@@ -1,6 +1,7 @@
 // What engines answered, held against all motions of each scene.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -33,6 +34,9 @@ struct JudgedEngineAnswer {
   EngineAnswer answer;
   EngineVerdict verdict = EngineVerdict::failed;
   std::optional<double> distance;  ///< distance from the nearest motion; nothing if there is no motion
+  // Of an impact the verdict is the best by some law:
+  std::vector<ImpactLaw> laws = {};     ///< by which it is right
+  std::optional<double> energy_gained;  ///< over that before; below 0 if energy is lost
 };
 
 struct EngineScene {
@@ -58,9 +62,12 @@ bool is_engines_folder(const std::filesystem::path& folder);
 /// Throws InputError.
 std::map<std::string, std::string> engine_designs(const std::filesystem::path& file);
 
+/// The laws of impact by which answers are judged.
+inline constexpr std::array<ImpactLaw, 3> judged_laws{ImpactLaw::newton, ImpactLaw::moreau, ImpactLaw::poisson};
+
 /// Reads FOLDER/scenes/CLASS/NAME.toml, FOLDER/answers/ENGINE.jsonl and, if it is there, FOLDER/engines.toml, and
-/// judges each answer in exact numbers; the scenes in parallel. Throws InputError for files that cannot be read, for an
-/// answer about a scene that is not there, and for a motion that lacks an acceleration.
+/// judges each answer in exact numbers, to an impact by each law; the scenes in parallel. Throws InputError for files
+/// that cannot be read, for an answer about a scene that is not there, and for a motion that lacks an acceleration.
 JudgedEngines judge_engines(const std::filesystem::path& folder);
 
 }  // namespace slipproof

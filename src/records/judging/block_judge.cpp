@@ -88,8 +88,9 @@ void BlockJudge::use(const std::vector<bool>& present) {
   const RecordFields& fields = judge_.fields();
   present_ = present;
   sources_.clear();
-  // no program tries the modes of others
-  able_ = fields.modes().has_all() && judge_.certified().mechanism.dimension == 2;
+  // no program tries the modes of others, or tells an energy
+  const Mechanism& mechanism = judge_.certified().mechanism;
+  able_ = fields.modes().has_all() && mechanism.dimension == 2 && !mechanism.impact;
   if (!able_) return;
   std::vector<bool> given;
   for (std::size_t i = 0; i <= fields.parameters(); ++i) sources_.push_back(source(i, present));

@@ -4,6 +4,7 @@
 
 #include "base/number/binary64.hpp"
 #include "base/output/json.hpp"
+#include "contact/impact/impact_energy.hpp"
 #include "mechanics/kernel/kinematic_modes.hpp"
 #include "mechanics/points/sampling.hpp"
 #include "records/judging/answer.hpp"
@@ -187,6 +188,24 @@ RecordJudgement undecided_record(Work needed, const JudgeOptions& options) {
   return undecided_judgement(too_much_work(needed, options.effort));
 }
 
+/// The energy before an impact, what the answer adds to it, and whether that is more than the tolerance.
+std::string energy_members(const RecordSetting& setting, const Record& record, const RecordPoint& point,
+                           double tolerance) {
+  const ImpactEnergy energy(setting.certified.mechanism, setting.maker, point.values, point.load);
+  std::vector<Range> after;
+  for (std::size_t i = 0; i < energy.velocities().size(); ++i) {
+    const Rational velocity = record.exactly(setting.fields.first_answer() + i);
+    after.push_back({velocity, velocity});
+  }
+  const Rational work = *energy.of(after).lower - energy.before();
+  const bool known = !energy.is_driven() && abs(work) > to_rational(tolerance) * energy.before();
+  const Json members{{"energy",
+                      {{"before", nearest_binary64(energy.before())},
+                       {"work", nearest_binary64(work)},
+                       {"gains", known ? Json(work.sign() > 0) : Json()}}}};
+  return "," + inner_json_text(members);
+}
+
 }  // namespace
 
 ExactJudge::ExactJudge(const RecordSetting& setting, const JudgeOptions& options, const SpaceMemory& in_space)
@@ -194,6 +213,13 @@ ExactJudge::ExactJudge(const RecordSetting& setting, const JudgeOptions& options
 ExactJudge::~ExactJudge() = default;
 
 RecordJudgement ExactJudge::operator()(const Record& record) {
+  RecordJudgement result = judge(record);
+  if (!setting_.certified.mechanism.impact || result.verdict == RecordVerdict::invalid) return result;
+  result.details += energy_members(setting_, record, point_of(setting_, record), options_.tolerance);
+  return result;
+}
+
+RecordJudgement ExactJudge::judge(const Record& record) {
   if (record.not_finite) return invalid_judgement(record.not_finite->reason);
   RecordPoint point = point_of(setting_, record);
   if (!point.mistake.empty()) return invalid_judgement(point.mistake);

@@ -21,9 +21,12 @@ class ExactJudge {
 
   /// A record outside the domain, or with a number that is not finite, is invalid. Relative errors are as defined in
   /// contact/problem/yardstick.hpp and RecordAnswer. The record must be complete.
+  /// Of an impact there is the energy, too.
   RecordJudgement operator()(const Record& record);
 
  private:
+  RecordJudgement judge(const Record& record);
+
   RecordSetting setting_;
   JudgeOptions options_;
   const SpaceMemory& in_space_;

@@ -5,6 +5,7 @@
 #include "base/number/binary64.hpp"
 #include "base/number/format.hpp"
 #include "base/output/json.hpp"
+#include "contact/impact/poisson_in_space.hpp"
 #include "contact/space/solve_space.hpp"
 #include "records/judging/answer.hpp"
 #include "records/judging/forces_near.hpp"
@@ -163,8 +164,10 @@ std::shared_ptr<const SolvedSpace> SpaceMemory::motions(const RecordSetting& set
   const Mechanism& mechanism = setting.certified.mechanism;
   CompleteOptions effort;  // whose own default is for scenes
   if (options.effort != JudgeOptions().effort) effort.effort = options.effort;
-  auto solved = std::make_shared<const SolvedSpace>(
-      solve_space(MechanismScene{mechanism.name, mechanism, point.values, point.load, {}}, effort));
+  MechanismScene scene{mechanism.name, mechanism, point.values, point.load, {}};
+  const bool phases = mechanism.impact && mechanism.impact->law == ImpactLaw::poisson;
+  auto solved = std::make_shared<const SolvedSpace>(phases ? solve_poisson_in_space(std::move(scene), effort).space
+                                                           : solve_space(std::move(scene), effort));
   const std::lock_guard lock(mutex_);
   known_.emplace_front(point, solved);
   if (known_.size() > kept_points) known_.pop_back();

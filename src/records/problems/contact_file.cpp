@@ -14,6 +14,7 @@
 #include "contact/formats/problem_check.hpp"
 #include "contact/judge/all_solutions_json.hpp"
 #include "contact/judge/find/find.hpp"
+#include "mechanics/mechanism/mechanism.hpp"
 
 namespace slipproof {
 
@@ -23,15 +24,18 @@ JudgedAnswer judge_one(const JudgedProblem& problem, const SolverAnswer& answer,
   std::string reason;
   std::vector<double> x = answer_vector(problem.problem, problem.mixed, answer, reason);
   if (!reason.empty()) {
-    JudgedAnswer result{answer.origin, {}, {}};
+    JudgedAnswer result{answer.origin};
     result.judgement.reason = std::move(reason);
     return result;
   }
-  // Velocities are those of bodies: what a compliance or a bias adds is none.
-  const bool moved = !problem.problem.compliance.empty() || !problem.problem.bias.empty();
+  // Velocities are those of bodies: what a compliance, a bias or a law of impact adds is none.
+  const ProblemFile& file = problem.problem;
+  const bool moved = !file.compliance.empty() || !file.bias.empty() || file.impact;
   const std::span<const double> u = moved ? std::span<const double>() : answer.u;
   auto tree = problem.answers.empty() ? nullptr : problem.answers.front().judgement.tree;
-  JudgedAnswer result{answer.origin, judge_contacts(problem.mixed, x, u, options.judge, std::move(tree)), {}};
+  JudgedAnswer result{answer.origin, judge_contacts(problem.mixed, x, u, options.judge, std::move(tree))};
+  const bool finite = std::ranges::all_of(x, [](double component) { return std::isfinite(component); });
+  if (file.impact && finite) result.energy = step_energy(file, x);
   if (problem.rigid) result.coulomb = judge_contacts(*problem.rigid, std::move(x), answer.u, options.judge);
   return result;
 }
@@ -39,9 +43,9 @@ JudgedAnswer judge_one(const JudgedProblem& problem, const SolverAnswer& answer,
 /// If judging an answer fails, reports that with this answer; the others are still judged.
 template <class Judge>
 JudgedAnswer judged_or_undecided(const std::string& origin, const Judge& judge) {
-  JudgedAnswer result{origin, {}, {}};
+  JudgedAnswer result{origin};
   if (const std::string failure = failure_of([&] { result = judge(); }); !failure.empty()) {
-    result = {origin, {}, {}};
+    result = {origin};
     result.judgement.verdict = ContactVerdict::undecided;
     result.judgement.reason = failure;
   }
@@ -81,14 +85,14 @@ JudgedAnswer judge_first_of_all(const MixedProblem& problem, const ContactJudgeO
     open.verdict = ContactVerdict::undecided;
     open.reason = "no answer is given, and not all solutions were found";
     open.left_out = std::move(none.left_out);
-    return {"none", std::move(open), {}};
+    return {"none", std::move(open)};
   }
-  if (none.all->none()) return JudgedAnswer{"none", std::move(none), {}};
+  if (none.all->none()) return JudgedAnswer{"none", std::move(none)};
   std::vector<Rational> r;
   for (const Range& range : none.all->solutions.front().r) r.push_back((*range.lower + *range.upper) / 2);
   std::vector<double> x;
   for (const Rational& value : eliminated(problem)->with_free(std::move(r))) x.push_back(nearest_binary64(value));
-  return JudgedAnswer{"found here", judge_contacts(problem, std::move(x), {}, options, none.tree), {}};
+  return JudgedAnswer{"found here", judge_contacts(problem, std::move(x), {}, options, none.tree)};
 }
 
 JudgedAnswer judge_what_is_found(const JudgedProblem& problem, const ContactFileOptions& options) {
@@ -96,7 +100,7 @@ JudgedAnswer judge_what_is_found(const JudgedProblem& problem, const ContactFile
     JudgedAnswer found = judge_first_of_all(problem.mixed, options.judge);
     if (found.judgement.all || !options.judge.refine) return found;
   }
-  JudgedAnswer result{"none", {}, {}};
+  JudgedAnswer result{"none"};
   result.judgement.verdict = ContactVerdict::undecided;
   result.judgement.reason = "no answer is given: --answer FILE, or --refine to look for one";
   if (!options.judge.refine) return result;
@@ -112,7 +116,7 @@ JudgedAnswer judge_what_is_found(const JudgedProblem& problem, const ContactFile
     result.origin = "found here";
     if (result.judgement.verdict != ContactVerdict::wrong) return result;
   }
-  result = {"none", {}, {}};
+  result = {"none"};
   result.judgement.verdict = ContactVerdict::undecided;
   result.judgement.reason = "no answer is given, and none was found";
   return result;
@@ -158,6 +162,14 @@ Json coulomb_json(const ContactJudgement& j) {
   if (j.velocity_error > 0) line["velocity_error"] = at_most(j.velocity_error);
   if (!j.reason.empty()) line["reason"] = j.reason;
   return line;
+}
+
+/// `tolerance`: what counts as no change.
+Json energy_json(const StepEnergy& energy, double tolerance) {
+  const auto gains = energy.gains(tolerance);
+  return {{"before", energy.before ? Json(nearest_binary64(*energy.before)) : Json()},
+          {"work", nearest_binary64(energy.work)},
+          {"gains", gains ? Json(*gains) : Json()}};
 }
 
 /// What is known of other solutions than a certified answer's.
@@ -207,7 +219,7 @@ Json all_json(const ContactJudgement& j) {
 }  // namespace
 
 JudgedProblem::JudgedProblem(std::string name, ReadProblem read, const ContactFileOptions& options)
-    : file(std::move(name)), problem(std::move(read.problem)) {
+    : file(std::move(name)), tolerance(options.judge.tolerance), problem(std::move(read.problem)) {
   if (options.law) problem.law.kind = *options.law;
   Mistakes mistakes(file);
   if (options.law) check_problem(problem, mistakes);
@@ -268,6 +280,8 @@ std::string contact_members(const JudgedProblem& problem, std::size_t answer) {
     line["units"] = Json{{"force", problem.problem.force_unit}, {"velocity", problem.problem.velocity_unit}};
   }
   if (j.law != FrictionLaw::cone) line["law"] = name(j.law);
+  if (problem.problem.impact) line["impact"] = name(problem.problem.impact->law);
+  if (const auto& energy = problem.answers[answer].energy) line["energy"] = energy_json(*energy, problem.tolerance);
   if (problem.answers[answer].coulomb) line["coulomb"] = coulomb_json(*problem.answers[answer].coulomb);
   if (j.right_for) line["right_for"] = name(*j.right_for);
   if (j.has_solution() || j.every) line["undetermined_forces"] = j.undetermined;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact/formats/problem_file.hpp"
+#include "contact/impact/step_energy.hpp"
 #include "contact/judge/judge.hpp"
 
 namespace slipproof {
@@ -19,13 +20,16 @@ struct ContactFileOptions {
 /// A judged answer to a problem.
 struct JudgedAnswer {
   std::string origin;  ///< `/solution`, a file's name, `found here`
-  ContactJudgement judgement;
-  std::optional<ContactJudgement> coulomb;  ///< the same forces under Coulomb's law for rigid bodies, if that differs
+  ContactJudgement judgement = {};
+  std::optional<ContactJudgement> coulomb =
+      {};                                 ///< the same forces under Coulomb's law for rigid bodies, if that differs
+  std::optional<StepEnergy> energy = {};  ///< of an answer in finite numbers to a problem with an impact
 };
 
 /// A problem and everything that was found about it. It must not move, because enclosures point into it.
 struct JudgedProblem {
   std::string file;
+  double tolerance = 0;
   ProblemFile problem;
   MixedProblem mixed;                 ///< the problem with the solver's law, compliance and bias
   std::optional<MixedProblem> rigid;  ///< the problem with Coulomb's law, without compliance and bias, if that differs

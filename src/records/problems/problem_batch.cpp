@@ -30,6 +30,7 @@ ReadProblem problem_at(const ProblemBatch& batch, std::size_t k, const std::stri
     if (!own.empty()) to = from_dense(rows, own.size() / rows, own);
   };
   vector(batch.q, p.q), vector(batch.f, p.f), vector(batch.w, p.w), vector(batch.mu, p.mu);
+  if (p.impact) vector(batch.before, p.impact->before);
   matrix(batch.W, p.q.size(), p.W), matrix(batch.M, p.f.size(), p.M), matrix(batch.H, p.f.size(), p.H);
   if (!batch.r.empty()) {
     SolverAnswer answer{p.form == ProblemForm::global ? "r" : "z", {}, {}, {}, {}};

@@ -20,6 +20,7 @@ struct ProblemBatch {
   std::span<const double> W, q;        ///< local and complementarity
   std::span<const double> M, H, f, w;  ///< global
   std::span<const double> mu;
+  std::span<const double> before;   ///< velocities before, where `common` has an impact
   std::span<const double> r, u, v;  ///< the answers; without r one is looked for, as the options say
 };
 

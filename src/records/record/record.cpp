@@ -51,7 +51,9 @@ RecordFields::RecordFields(const CertifiedMechanism& certified)
   modes_ = std::make_shared<RecordModes>(element_kinds(mechanism));
   has_modes_ = mechanism.dimension == 2;
   for (const std::string& name : certified.answers) required_.push_back(*find(name));
-  for (std::size_t i = 0; i < mechanism.accelerations && certified.answers.empty(); ++i) {
+  // By Poisson's law there are velocities at the end of compression, too, which an answer need not have.
+  const std::size_t unknowns = mechanism.impact ? mechanism.impact->velocities.size() : mechanism.accelerations;
+  for (std::size_t i = 0; i < unknowns && certified.answers.empty(); ++i) {
     required_.push_back(first_answer_ + i);
   }
   for (const ShortForm& form : certified.forms) {

@@ -74,6 +74,14 @@ ReportCell verdict_cell(const JudgedEngineAnswer& one, const std::string& href) 
   });
 }
 
+std::string impact_text(const JudgedEngineAnswer& one) {
+  if (!one.energy_gained && one.laws.empty()) return {};
+  std::string text;
+  for (const ImpactLaw law : one.laws) text += (text.empty() ? "; right by " : ", ") + std::string(name(law));
+  if (one.energy_gained) text += fmt::format("; energy {:+.4g} %", 100 * *one.energy_gained);
+  return text;
+}
+
 std::string answer_text(const EngineAnswer& answer) {
   if (!answer.refused.empty()) return answer.refused;
   if (!answer.failed.empty()) return answer.failed;

@@ -36,4 +36,7 @@ ReportCell verdict_cell(const JudgedEngineAnswer& one, const std::string& href);
 /// The accelerations, the threshold with the floor above which it was found, or why there is neither.
 std::string answer_text(const EngineAnswer& answer);
 
+/// Of an impact `; right by newton, moreau; energy -25 %`; empty otherwise.
+std::string impact_text(const JudgedEngineAnswer& one);
+
 }  // namespace slipproof

@@ -17,7 +17,19 @@ std::string count_text(const SolvedSpace& solved) {
   return std::to_string(solved.motions.size()) + (solved.complete() ? "" : " or more");
 }
 
+/// `1, 1, 2 by newton, moreau, poisson`.
+std::string count_text(const ExpectedImpact& impact) {
+  std::string counts, laws;
+  for (const SolvedImpact& solved : impact.laws) {
+    counts +=
+        (counts.empty() ? "" : ", ") + std::to_string(solved.outcomes.size()) + (solved.complete() ? "" : " or more");
+    laws += (laws.empty() ? " by " : ", ") + std::string(name(solved.scene.mechanism.impact->law));
+  }
+  return counts + laws;
+}
+
 std::string motions_text(const Expected& expected) {
+  if (const auto* impact = std::get_if<ExpectedImpact>(&expected)) return count_text(*impact);
   if (const auto* in_space = std::get_if<ExpectedInSpace>(&expected)) {
     return count_text(in_space->solved);
   }

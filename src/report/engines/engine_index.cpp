@@ -97,6 +97,34 @@ void add_drift(const Element& main, const EnginePageInput& input) {
   add_table(section, table);
 }
 
+/// By which law impacts are right, and where energy is gained.
+void add_impacts(const Element& main, const EnginePageInput& input) {
+  const std::vector<EngineImpactRow> rows = engine_impacts(input.judged());
+  if (rows.empty()) return;
+  const Element section = add_section(main, "impacts", "Impacts: right by which law, and does energy grow?");
+  section.add("p", "how")
+      .text(
+          "Contacts approach, and the engine makes one step. Its velocities are held against all outcomes by each law; "
+          "an answer may be right by several, which often agree. Energy grows where it is more than a thousandth above "
+          "that before.");
+  ReportTable table{{"engine", "asked", {"scenes", true}}};
+  table.label = "Impacts by engine";
+  table.css_class = "engines";
+  for (const ImpactLaw law : judged_laws) table.columns.emplace_back("right by " + std::string(name(law)), true);
+  table.columns.emplace_back("by none", true);
+  table.columns.emplace_back("gains energy", true);
+  table.columns.emplace_back("at most", true);
+  for (const EngineImpactRow& row : rows) {
+    std::vector<ReportCell> cells{row.engine, row.asked, std::to_string(row.scenes)};
+    for (const std::size_t right : row.right) cells.emplace_back(std::to_string(right));
+    cells.push_back(input.with_design(row.engine, std::to_string(row.by_no_law)));
+    cells.emplace_back(std::to_string(row.gains));
+    cells.emplace_back(row.most ? fmt::format("{:+.3g} %", 100 * *row.most) : "–");
+    table.row(std::move(cells));
+  }
+  add_table(section, table);
+}
+
 void add_laws(const Element& main, const EnginePageInput& input) {
   const Element section = add_section(main, "laws", "What each engine solves");
   section.add("p", "how")
@@ -157,6 +185,7 @@ void add_engines_index(const Element& main, const EnginePageInput& input) {
   engine_index::add_counts(main, input);
   engine_index::add_thresholds(main, input);
   engine_index::add_drift(main, input);
+  engine_index::add_impacts(main, input);
   engine_index::add_laws(main, input);
   engine_index::add_scenes(main, input);
   engine_index::add_reproduce(main, input);

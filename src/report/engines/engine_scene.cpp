@@ -6,6 +6,8 @@
 #include "report/picture/mechanism_svg.hpp"
 #include "report/picture/space/space_svg.hpp"
 #include "report/picture/space/space_view.hpp"
+#include "report/picture/velocities/impact_svg.hpp"
+#include "report/scenes/impact_report.hpp"
 #include "report/scenes/mechanism_report.hpp"
 #include "report/scenes/space_report.hpp"
 
@@ -45,9 +47,31 @@ void add_picture(const Element& top, const EnginePageInput& input, const EngineS
   figure.add("figcaption").text("All motions, each with its forces.");
 }
 
+void add_picture(const Element& top, const EnginePageInput& input, const EngineScene& scene,
+                 const ExpectedImpact& impact) {
+  const SolvedImpact& own = impact.laws.front();
+  input.write(scene.name + ".svg", impact_svg_file(own, view_direction(usual_view)));
+  const Element figure = top.add("figure", "plot");
+  figure.add("img").set("src", scene.name.substr(scene.name.find('/') + 1) + ".svg").set("alt", scene.scene.name);
+  figure.add("figcaption").text("Before and after, by " + own.law_words() + ".");
+}
+
+template <class Answer>
+void add_exact(const Element& main, const Answer& answer) {
+  add_document(add_section(main, "exact", "Every motion, exactly"), document_of(answer).as_part());
+}
+void add_exact(const Element& main, const ExpectedImpact& impact) {
+  const Element section = add_section(main, "exact", "Every outcome, by each law");
+  for (const SolvedImpact& solved : impact.laws) {
+    section.add("h3").text("By " + solved.law_words());
+    add_document(section, impact_document(solved, 6).as_part());
+  }
+}
+
 void add_answers(const Element& main, const EnginePageInput& input, const EngineScene& scene) {
   const Element section = add_section(main, "engines", "What engines say");
-  ReportTable table{{"engine", "asked", "verdict", "accelerations", "settings"}};
+  const bool answers_impact = scene.scene.mechanism.impact.has_value();
+  ReportTable table{{"engine", "asked", "verdict", answers_impact ? "velocities after" : "accelerations", "settings"}};
   table.label = "Answers of engines";
   for (const JudgedEngineAnswer& one : scene.answers) {
     const EngineAnswer& answer = one.answer;
@@ -55,7 +79,7 @@ void add_answers(const Element& main, const EnginePageInput& input, const Engine
     const bool is_judged = !answer.threshold && answer.drift.empty();
     const ReportCell verdict = is_judged ? verdict_cell(one, "") : ReportCell("");
     table.row({answer.engine + " " + answer.version, answer.asked,
-               off ? input.with_design(answer.engine, verdict) : verdict, answer_text(answer),
+               off ? input.with_design(answer.engine, verdict) : verdict, answer_text(answer) + impact_text(one),
                ReportLine(code(answer.settings))});
   }
   add_table(section, table);
@@ -85,9 +109,7 @@ void add_scene_page(const Element& main, const EnginePageInput& input, std::size
     const std::string link = explorer_link("../" + input.explorer, scene.scene);
     top.add("p", "explore").add("a").set("href", link).text(explorer_words);
   }
-  const Element exact = add_section(main, "exact", "Every motion, exactly");
-  add_document(exact,
-               std::visit([](const auto& answer) { return engine_scene::document_of(answer); }, expected).as_part());
+  std::visit([&](const auto& answer) { engine_scene::add_exact(main, answer); }, expected);
   engine_scene::add_answers(main, input, scene);
 }
 

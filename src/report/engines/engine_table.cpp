@@ -40,11 +40,12 @@ double place_of(const ChangeInSpace& change) {
 /// Where the motions of a scene change.
 std::vector<double> changes_of(const Expected& expected) {
   std::vector<double> places;
-  std::visit(
-      [&](const auto& answer) {
-        for (const auto& change : answer.changes) places.push_back(place_of(change));
-      },
-      expected);
+  const auto take = [&](const auto* answer) {
+    if (answer == nullptr) return;
+    for (const auto& change : answer->changes) places.push_back(place_of(change));
+  };
+  take(std::get_if<ExpectedAnswer>(&expected));
+  take(std::get_if<ExpectedInSpace>(&expected));
   return places;
 }
 
@@ -68,7 +69,7 @@ EngineResults engine_results(JudgedEngines judged) {
   std::vector<std::optional<Expected>> expected(results.judged.scenes.size());
   in_parallel(0, expected.size(), [&](std::size_t i) {
     const EngineScene& scene = results.judged.scenes[i];
-    expected[i] = expected_of(scene.scene, scene.name);
+    expected[i] = expected_of(scene.file, scene.name);
   });
   for (auto& one : expected) results.expected.push_back(std::move(*one));
   return results;
@@ -96,6 +97,46 @@ std::vector<EngineThresholdRow> engine_thresholds(const EngineResults& results) 
   return rows;
 }
 
+std::vector<EngineImpactRow> engine_impacts(const JudgedEngines& judged) {
+  std::map<std::pair<std::string, std::string>, EngineImpactRow> rows;
+  for (const EngineScene& scene : judged.scenes) {
+    for (const JudgedEngineAnswer& one : scene.answers) {
+      if (!scene.scene.mechanism.impact || one.answer.motion.empty()) continue;
+      EngineImpactRow& row = rows[{one.answer.engine, one.answer.asked}];
+      row.engine = one.answer.engine, row.asked = one.answer.asked;
+      ++row.scenes;
+      for (const ImpactLaw law : one.laws) ++row.right[static_cast<std::size_t>(law)];
+      row.by_no_law += one.laws.empty() ? 1 : 0;
+      if (!one.energy_gained || !(*one.energy_gained > engine_right)) continue;
+      ++row.gains;
+      row.most = std::max(row.most.value_or(0), *one.energy_gained);
+    }
+  }
+  std::vector<EngineImpactRow> result;
+  for (auto& [key, row] : rows) result.push_back(std::move(row));
+  return result;
+}
+
+namespace {
+
+Json impacts_json(const JudgedEngines& judged) {
+  Json rows = Json::array();
+  for (const EngineImpactRow& row : engine_impacts(judged)) {
+    Json right = Json::object();
+    for (const ImpactLaw law : judged_laws) right[std::string(name(law))] = row.right[static_cast<std::size_t>(law)];
+    rows.push_back({{"engine", row.engine},
+                    {"asked", row.asked},
+                    {"scenes", row.scenes},
+                    {"right_by", std::move(right)},
+                    {"by_no_law", row.by_no_law},
+                    {"gains_energy", row.gains},
+                    {"most", row.most ? Json(*row.most) : Json()}});
+  }
+  return rows;
+}
+
+}  // namespace
+
 std::string engine_table_json(const EngineResults& results) {
   Json document{{"schema", "slipproof/engine-table/1"}, {"scenes", results.judged.scenes.size()}};
   document["engines"] = Json::array();
@@ -119,6 +160,7 @@ std::string engine_table_json(const EngineResults& results) {
     if (row.found.floor) one["floor"] = *row.found.floor;
     document["thresholds"].push_back(std::move(one));
   }
+  document["impacts"] = impacts_json(results.judged);
   return json_text(document, 2) + '\n';
 }
 

@@ -43,6 +43,17 @@ struct EngineThresholdRow {
 };
 std::vector<EngineThresholdRow> engine_thresholds(const EngineResults& results);
 
+/// What an engine answers to impacts.
+struct EngineImpactRow {
+  std::string engine, asked;
+  std::size_t scenes = 0;                               ///< that it has answered
+  std::array<std::size_t, judged_laws.size()> right{};  ///< by each law
+  std::size_t by_no_law = 0, gains = 0;                 ///< gains: energy, by more than `engine_right`
+  std::optional<double> most;                           ///< the largest gain, over the energy before
+};
+/// A row for each engine and way of asking, by name.
+std::vector<EngineImpactRow> engine_impacts(const JudgedEngines& judged);
+
 /// The classes of the scenes: the shipped ones in their order, then others by name.
 std::vector<std::string> engine_classes(const JudgedEngines& judged);
 

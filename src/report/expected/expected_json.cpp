@@ -6,6 +6,7 @@
 #include "mechanics/kernel/motion.hpp"
 #include "report/expected/expected.hpp"
 #include "report/picture/space/space_words.hpp"
+#include "report/scenes/impact_report.hpp"
 #include "report/values/mode_json.hpp"
 
 namespace slipproof {
@@ -204,6 +205,23 @@ Json document_of(const ExpectedInSpace& answer) {
   return document;
 }
 
+/// What impact_json() has, once for all laws: and by each law its outcomes.
+Json document_of(const ExpectedImpact& answer) {
+  Json document = scene_json(answer.id, answer.scene());
+  document["dimension"] = answer.scene().mechanism.dimension;
+  document["unknowns"].clear();
+  Json laws = Json::object();
+  for (const SolvedImpact& solved : answer.laws) {
+    Json one = impact_value(solved);
+    document["before"] = one["before"];
+    laws[one["law"].get<std::string>()] = {
+        {"complete", one["complete"]}, {"outcomes", one["outcomes"]}, {"undecided", one["undecided"]}};
+  }
+  for (const auto& [name, value] : document["before"]["velocities"].items()) document["unknowns"].push_back(name);
+  document["impact"] = std::move(laws);
+  return document;
+}
+
 }  // namespace
 
 }  // namespace expected
@@ -213,8 +231,16 @@ Expected expected_of(MechanismScene scene, const std::string& id) {
   return expected_in_space(std::move(scene), id);
 }
 
+Expected expected_of(const std::filesystem::path& file, const std::string& id) {
+  MechanismScene scene = read_scene(file, Dimensions::any);
+  if (scene.mechanism.impact) return expected_impact(file, id);
+  return expected_of(std::move(scene), id);
+}
+
 const MechanismScene& scene_of(const Expected& expected) {
-  return std::visit([](const auto& one) -> const MechanismScene& { return one.solved.scene; }, expected);
+  if (const auto* impact = std::get_if<ExpectedImpact>(&expected)) return impact->scene();
+  const auto* space = std::get_if<ExpectedInSpace>(&expected);
+  return space != nullptr ? space->solved.scene : std::get<ExpectedAnswer>(expected).solved.scene;
 }
 
 std::string expected_json(const std::vector<Expected>& answers) {

@@ -166,6 +166,12 @@ Json test_json(const Answer& answer) {
           {"bodies", bodies}};
 }
 
+Json test_json(const ExpectedImpact& impact) {
+  throw InputError({{impact.scene().mechanism.file, 0, 0,
+                     impact.id + ": found an impact, whose outcomes depend on the law, expected for pytest a scene "
+                                 "without one; --format json has them by each law"}});
+}
+
 }  // namespace
 
 }  // namespace expected

@@ -6,6 +6,7 @@
 
 #include "base/number/binary64.hpp"
 #include "base/number/format.hpp"
+#include "mechanics/mechanism/mechanism.hpp"
 #include "report/scenes/records/record_words.hpp"
 
 namespace slipproof {
@@ -253,6 +254,23 @@ std::string advice(const ContactJudgement& j) {
   }
 }
 
+namespace {
+
+/// `Impact by Newton's law: the answer GAINS 3 % of the energy.` A problem without bodies tells the work alone.
+std::string energy_words(const JudgedProblem& problem, const StepEnergy& energy) {
+  const std::string law = problem.problem.impact->law == ImpactLaw::newton ? "Newton's" : "Moreau's";
+  const std::string text = "Impact by " + law + " law: the answer ";
+  const auto gains = energy.gains(problem.tolerance);
+  if (!gains) return text + "keeps the energy.";
+  const std::string change = *gains ? "GAINS " : "loses ";
+  if (energy.before && !energy.before->is_zero()) {
+    return text + change + decimal_text(Rational(abs(energy.work) * 100 / *energy.before), 4) + " % of the energy.";
+  }
+  return text + change + "energy: the work of contacts is " + decimal_text(energy.work, 4) + ".";
+}
+
+}  // namespace
+
 std::string contact_words(const JudgedProblem& problem, std::size_t answer) {
   const ContactJudgement& j = problem.answers[answer].judgement;
   std::string text =
@@ -270,6 +288,7 @@ std::string contact_words(const JudgedProblem& problem, std::size_t answer) {
   }
   for (const std::string& sentence : further_words(j, units_of(problem))) text += "  " + sentence + '\n';
   if (const std::string words = coulomb_words(problem, answer); !words.empty()) text += "  " + words + '\n';
+  if (const auto& energy = problem.answers[answer].energy) text += "  " + energy_words(problem, *energy) + '\n';
   for (const std::string& remark : problem.problem.remarks) text += "  Note: " + remark + ".\n";
   return text;
 }

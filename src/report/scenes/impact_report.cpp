@@ -214,8 +214,12 @@ Document impact_document(const SolvedImpact& solved, int digits) {
   return ImpactText(solved, digits).whole();
 }
 
+Json impact_value(const SolvedImpact& solved) {
+  return ImpactDocument(solved).whole();
+}
+
 std::string impact_json(const SolvedImpact& solved) {
-  return dump(ImpactDocument(solved).whole());
+  return dump(impact_value(solved));
 }
 
 }  // namespace slipproof

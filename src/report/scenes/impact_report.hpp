@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "base/output/json.hpp"
 #include "contact/impact/solved_impact.hpp"
 #include "report/document/document.hpp"
 
@@ -10,6 +11,7 @@ namespace slipproof {
 
 Document impact_document(const SolvedImpact& solved, int digits);
 /// The document slipproof/impact/1.
+Json impact_value(const SolvedImpact& solved);
 std::string impact_json(const SolvedImpact& solved);
 
 }  // namespace slipproof

@@ -3,6 +3,7 @@
 
 #include "base/input/diagnostic.hpp"
 #include "contact/impact/impact_of.hpp"
+#include "contact/space/solve_space.hpp"
 
 using namespace slipproof;
 using test::after;
@@ -79,7 +80,53 @@ TEST_CASE("a tangential restitution throws a super ball back in space") {
   CHECK(after(ball, "omegay") == Rational(10, 7));
 }
 
-TEST_CASE("Poisson's law is refused in space") {
-  CHECK_THROWS_WITH_AS(thrown_ball("1", "", ImpactLaw::poisson), doctest::Contains("Poisson's law in space"),
-                       InputError);
+TEST_CASE("by Poisson's law in space a rod in a plane has the outcome that it has in the plane") {
+  const SolvedImpact rod = test::impact_of_text(R"(
+dimension = 3
+[[body]]
+name = "rod"
+mass = "1"
+inertia = ["1/3", "1/3", "1/3"]
+at = ["3/5", "0", "4/5"]
+velocity = ["1/5", "0", "-2/5"]
+spin = ["0", "-1", "0"]
+[[contact]]
+name = "foot"
+of = "rod"
+point = ["-3/5", "0", "-4/5"]
+normal = ["0", "0", "1"]
+through = ["0", "0", "0"]
+tangent = ["1", "0", "0"]
+restitution = "1"
+friction = "1"
+)",
+                                                ImpactLaw::poisson);
+  CHECK(rod.complete());
+  // rod-that-gains.toml in cases/impact, by Poisson's law
+  CHECK(impulse(rod, "N_foot") == Rational(37, 50));
+  CHECK(impulse(rod, "T1_foot") == Rational(41, 1825));
+  CHECK(impulse(rod, "T2_foot") == 0);
+  CHECK(after(rod, "vx") == Rational(406, 1825));
+  CHECK(after(rod, "vz") == Rational(17, 50));
+  CHECK(after(rod, "omegay") == Rational(203, 730));
+  CHECK(rod.outcomes.front().modes.front() == "lift after stick");
+  CHECK(test::energy_after(rod) == Rational(209, 2190));
+}
+
+TEST_CASE("by Poisson's law in space a ball slides on along its direction, and restitution has its own friction") {
+  const SolvedImpact ball = thrown_ball("1/10", "", ImpactLaw::poisson);  // one contact: Newton's outcome
+  REQUIRE(ball.outcomes.size() == 1);
+  const Rational low("4472135954/10000000000"), high("4472135955/10000000000"), limit(3, 20);
+  CHECK(contains(test::range_after(ball, ball.outcomes.front(), "vx"), 1 - limit * high, 1 - limit * low));
+  CHECK(contains(test::range_after(ball, ball.outcomes.front(), "vy"), 2 - 2 * limit * high, 2 - 2 * limit * low));
+  // It slides in compression, mu < 2/7 sqrt(5), and stops in restitution, 3/2 mu > 2/7 sqrt(5).
+  const SolvedImpact stops = thrown_ball("1/2", "", ImpactLaw::poisson);
+  REQUIRE(stops.outcomes.size() == 1);
+  CHECK(contains(test::range_after(stops, stops.outcomes.front(), "vx"), Rational(5, 7), Rational(5, 7)));
+  CHECK(stops.outcomes.front().modes.front() == "lift after slip");
+}
+
+TEST_CASE("what has one phase refuses Poisson's law in space") {
+  const SolvedImpact ball = thrown_ball("1", "", ImpactLaw::poisson);
+  CHECK_THROWS_WITH_AS(solve_space(ball.scene), doctest::Contains("Poisson's law, whose two phases"), InputError);
 }

@@ -4,8 +4,9 @@
     spatial.py SLIPPROOF [COUNT [SEED]]
 
 One or two bodies, with any inertia and attitude, touch the ground and each other at one to three points, with random
-velocities, by Newton's and by Moreau's law in turn. Masses and directions of contacts are derived here in fractions; the
-solver is that of contact problems (../complete/independent). Where all outcomes are told, each that is found must be one
+velocities, by Newton's, Moreau's and Poisson's law in turn. Masses and directions of contacts are derived here in
+fractions; the solver is that of contact problems (../complete/independent), and for Poisson's law one of two phases,
+which knows nothing of how they are one problem. Where all outcomes are told, each that is found must be one
 of them, and of those that are told as single ones each should be found: the others are counted.
 """
 import json
@@ -131,6 +132,8 @@ def problem_of(contacts, law):
     restored = [Q(0)] * len(rows)
     for i, contact in enumerate(contacts):
         opening = before[3 * i]
+        if law == "poisson":
+            continue
         restored[3 * i] = Q(0) if law == "newton" and opening > 0 else contact.e * opening
     return Problem(W, [b + r for b, r in zip(before, restored)], [c.mu for c in contacts]), before, restored
 
@@ -145,7 +148,64 @@ def drawn(rng, law):
         held = {c.of for c in contacts} | {c.on for c in contacts}
         problem, before, restored = problem_of(contacts, law)
         if all(b in held for b in bodies) and any(u < 0 for u in before[::3]):
-            yield bodies, contacts, problem, restored
+            yield bodies, contacts, problem, before, restored
+
+
+class Phase:
+    """Impulses r of one phase from the velocities `start`, N at least `least` of each contact: solutions of
+    N - max(least, N - u_N) = 0 and T - (the vector of length mu N at most that is nearest to T - u_T) = 0."""
+
+    def __init__(self, problem, start, least):
+        self.W, self.mu = np.array(problem.W, dtype=float), np.array(problem.mu, dtype=float)
+        self.start, self.least = start, least
+        self.unit = np.repeat(1 / np.diag(self.W)[::3], 3)
+
+    def residual(self, r):
+        u, unit = self.start + self.W @ r, self.unit
+        F, J, own = unit * u, unit[:, None] * self.W, np.eye(len(r))
+        for k, mu in enumerate(self.mu):
+            n, t = 3 * k, slice(3 * k + 1, 3 * k + 3)
+            if r[n] - unit[n] * u[n] <= self.least[k]:
+                F[n], J[n] = r[n] - self.least[k], own[n]
+            to, bound = r[t] - unit[t] * u[t], mu * max(r[n], 0)
+            length = np.hypot(*to)
+            if length > bound:
+                d = to / length
+                F[t] = r[t] - bound * d
+                change = own[t] - unit[t][:, None] * self.W[t]
+                J[t] = own[t] - mu * np.outer(d, own[n]) - bound / length * (np.eye(2) - np.outer(d, d)) @ change
+        return F, J
+
+    def solutions(self, rng, starts=40):
+        scale = max(np.abs(self.unit * self.start).max(), self.least.max(initial=0), 1e-300)
+        for _ in range(starts):
+            r = rng.normal(0, scale, len(self.start))
+            for _ in range(60):
+                F, J = self.residual(r)
+                if np.abs(F).max() < 1e-11 * scale:
+                    yield r, self.start + self.W @ r
+                    break
+                r = r - np.linalg.lstsq(J, F, rcond=None)[0]
+
+
+def differ(a, b):
+    return np.abs(a - b).max() > 1e-6 * (np.abs(a).max() + np.abs(b).max())
+
+
+def by_poisson(problem, before, restitution, rng):
+    """Velocities after both phases; None where compression leaves impulses open, by which they depend on the choice."""
+    compressed, found = [], []
+    for r, u in Phase(problem, np.array(before, dtype=float), np.zeros(len(restitution))).solutions(rng):
+        same = [s for s, v in compressed if not differ(u, v)]
+        if any(differ(r, s) for s in same):
+            return None
+        if same:
+            continue
+        compressed.append((r, u))
+        for _, v in Phase(problem, u, restitution * np.maximum(r[::3], 0)).solutions(rng):
+            if all(differ(v, other) for other in found):
+                found.append(v)
+    return found
 
 
 def told(program, bodies, contacts, law, folder):
@@ -175,11 +235,11 @@ def main():
     program, count = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 20
     seed = int(sys.argv[3]) if len(sys.argv) > 3 else 67
     rng, starts, seen, wrong = random.Random(seed), np.random.default_rng(seed), Counter(), 0
-    generators = [(law, drawn(rng, law)) for law in ("newton", "moreau")]
+    generators = [(law, drawn(rng, law)) for law in ("newton", "moreau", "poisson")]
     with tempfile.TemporaryDirectory() as folder:
         for index in range(count):
-            law, generator = generators[index % 2]
-            bodies, contacts, problem, restored = next(generator)
+            law, generator = generators[index % len(generators)]
+            bodies, contacts, problem, before, restored = next(generator)
             answer = told(program, bodies, contacts, law, Path(folder))
             if isinstance(answer, str):
                 wrong += 1
@@ -188,7 +248,13 @@ def main():
             if not answer["complete"]:
                 seen["undecided"] += 1
                 continue
-            found = [f.u - np.array(restored, dtype=float) for f in solutions_near(problem, starts, 60)]
+            if law == "poisson":
+                found = by_poisson(problem, before, np.array([float(c.e) for c in contacts]), starts)
+            else:
+                found = [f.u - np.array(restored, dtype=float) for f in solutions_near(problem, starts, 60)]
+            if found is None:
+                seen["not compared, as compression may leave impulses open"] += 1
+                continue
             missing = [u for u in found if not any(is_one(contacts, o, u) for o in answer["outcomes"])]
             if missing:
                 wrong += 1

@@ -94,6 +94,33 @@ static void measures_by_each_law(void) {
   assert(slipproof_record_residual(&step) > 0.1);
 }
 
+/* A ball that comes down with 2 and slides with 3, e = 1/2, mu = 1/2; on a step that pushes it down by 1 more. */
+static void writes_an_impact(void) {
+  static const double r[] = {4, -2}, W[] = {1, 0, 0, 1}, q[] = {-3, 3}, mu[] = {0.5}, e[] = {0.5}, before[] = {-2, 3};
+  static const double M[] = {1, 0, 0, 1}, J[] = {0, 1, 1, 0}, f[] = {3, -3}, v[] = {1, 1}, v_before[] = {3, -2};
+  static const double back[] = {-3, -2};
+  slipproof_recorder recorder;
+  slipproof_record_step step = {0};
+  step.dimension = 2, step.contacts = 1, step.W = W, step.q = q, step.mu = mu, step.r = r;
+  assert(slipproof_record_residual(&step) > 0.5);
+  step.impact = SLIPPROOF_IMPACT_NEWTON, step.restitution = e, step.u_before = before;
+  assert(slipproof_record_residual(&step) < 1e-12);
+  assert(slipproof_record_open(&recorder, path, 0) == SLIPPROOF_RECORD_OK);
+  assert(slipproof_record(&recorder, &step) == SLIPPROOF_RECORD_OK);
+  step.W = NULL, step.q = NULL, step.u_before = NULL, step.bodies = 2, step.impact = SLIPPROOF_IMPACT_MOREAU;
+  step.M = M, step.J = J, step.f = f, step.v = v, step.v_before = v_before, step.tangential_restitution = e;
+  assert(slipproof_record_residual(&step) < 1e-12);
+  step.v_before = back; /* with friction along the way it came */
+  assert(slipproof_record_residual(&step) > 0.4);
+  step.v_before = v_before;
+  assert(slipproof_record(&recorder, &step) == SLIPPROOF_RECORD_OK);
+  assert(slipproof_record_close(&recorder) == SLIPPROOF_RECORD_OK);
+  assert(strstr(content(), "\"impact\":\"newton\",\"restitution\":[0.5],\"u_before\":[-2,3],\"r\":[4,-2]}"));
+  assert(strstr(content(),
+                "\"impact\":\"moreau\",\"restitution\":[0.5],\"tangential_restitution\":[0.5],"
+                "\"v_before\":[3,-2],\"r\":[4,-2]}"));
+}
+
 static void refuses(slipproof_record_step step, const char* expected) {
   slipproof_recorder recorder;
   assert(slipproof_record_open(&recorder, path, 0) == SLIPPROOF_RECORD_OK);
@@ -128,6 +155,14 @@ static void refuses_what_is_no_step(void) {
   refuses(step, "law");
   step = point(r), step.title = "a \"quote\"";
   refuses(step, "title");
+  step = point(r), step.restitution = r + 2;
+  refuses(step, "impact: ");
+  step = point(r), step.impact = SLIPPROOF_IMPACT_NEWTON;
+  refuses(step, "restitution: ");
+  step.restitution = r;
+  refuses(step, "restitution: ");
+  step.restitution = r + 2;
+  refuses(step, "u_before: ");
   step = point(r), step.force_unit = "N";
   refuses(step, "units");
   step = point(r), step.W = NULL, step.q = NULL, step.bodies = 1, step.M = M;
@@ -144,6 +179,7 @@ int main(void) {
   writes_nothing_that_touches();
   keeps_the_worst();
   measures_by_each_law();
+  writes_an_impact();
   refuses_what_is_no_step();
   return remove(path);
 }

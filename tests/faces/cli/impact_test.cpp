@@ -88,3 +88,25 @@ restitution = "1"
   CHECK(run({"impact", scene}).exit_code == 0);
   CHECK(run({"rest", impacts + "two-balls.toml"}).exit_code == 3);  // an impact by its file
 }
+
+TEST_CASE("records of an impact are held against its outcomes, and tell their energy") {
+  const slipproof::test::TemporaryFolder folder;
+  const std::string records = (folder.path() / "rod.csv").string();
+  std::ofstream(records) << "vx,vy,omega,N_foot,S_foot\n0.4,0.7,-0.5,1.1,0.2\n0.4,0.6,-0.5,1,0.2\n";
+  const auto judged = run({"certify", "--scene", impacts + "rod-that-gains.toml", records});
+  const std::size_t second = judged.out.find("{\"record\":2");
+  REQUIRE(second != std::string::npos);
+  CHECK(judged.out.find("\"verdict\":\"certified\"") < second);
+  CHECK(judged.out.find("\"energy\":{\"before\":0.26666666666666666,\"work\":0.09999999999999998,\"gains\":true}") <
+        second);
+  CHECK(judged.out.find("\"verdict\":\"wrong\"", second) != std::string::npos);
+}
+
+TEST_CASE("a file with a step that has an impact tells its law and energy") {
+  const slipproof::test::TemporaryFolder folder;
+  const std::string file = (folder.path() / "rod.json").string();
+  std::ofstream(file) << R"({"dimension": 2, "M": [[3, 0, 0], [0, 3, 0], [0, 0, 25]], "H": [[0, 1], [1, 0], [-3, 4]],
+ "f": [3, -6, 25], "w": [0, 0], "mu": 1, "impact": "newton", "restitution": 1, "v_before": [1, -2, 1], "r": [16.5, 3]})";
+  CHECK(run({"certify", file}).out.find("Impact by Newton's law: the answer GAINS 37.5 % of the energy.") !=
+        std::string::npos);
+}

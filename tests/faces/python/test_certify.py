@@ -275,3 +275,22 @@ def test_each_law_is_one_that_solvers_claim():
         judged([10, -2, 0], law="fixed")
     with pytest.raises(slipproof.InputError, match="compliance.*not negative"):
         judged([10, -2, 0], law="associated", compliance=-1)
+
+
+def test_a_step_with_an_impact_is_judged_by_its_law_and_tells_its_energy():
+    W, before = np.eye(2), [-2.0, 3.0]
+    bounce = slipproof.Impact("newton", 0.5, before)
+    assert slipproof.certify(W, before, [3, -1.5], 0.5, impact=bounce).verdict == "unique"
+    assert slipproof.certify(W, before, [2, -1], 0.5, impact=bounce).verdict == "wrong"
+    assert slipproof.certify(W, before, [3, -1.5], 0.5, impact=bounce).details["energy"]["work"] == -4.875
+    many = slipproof.certify(W, [before] * 2, [[3, -1.5], [2, -1]], 0.5, impact=bounce._replace(before=[before] * 2), method="enclosure")
+    assert list(many.verdicts) == ["unique", "wrong"]
+    M, H = np.diag([3.0, 3.0, 25.0]), np.array([[0.0, 1], [1, 0], [-3, 4]])
+    rod = slipproof.Impact("newton", 1, [[1.0, -2, 1]])
+    found = slipproof.certify_bodies(M, H, [[3.0, -6, 25]], [[16.5, 3]], 1, dimension=2, impact=rod)
+    assert found.certified and found[0].details["energy"] == {"before": 20, "work": 7.5, "gains": True}
+    for wrong, message in ((("newton", 0.5, before), "Impact"), (slipproof.Impact("hertz", 0.5, before), "newton"),
+                           (slipproof.Impact("newton", None, before), "restitution"),
+                           (slipproof.Impact("newton", 2, before), "from 0 to 1"), (slipproof.Impact("newton", 1, [1]), "shape")):
+        with pytest.raises((TypeError, ValueError), match=message):
+            slipproof.certify(W, before, [3, -1.5], 0.5, impact=wrong)

@@ -49,6 +49,21 @@ TEST_CASE("each law's shipped line gets the verdict that its table tells") {
   CHECK(lines[3]["law"] == "associated law");
 }
 
+TEST_CASE("steps with an impact get the verdicts that their table tells, and their energies") {
+  const std::string folder = std::string(SLIPPROOF_SOURCE_DIR) + "/cases/contact-problems/";
+  const auto expected = verdicts_in_table(folder + "../CERTIFYING.md", "impacts.jsonl");
+  const auto lines = problems(text_of(folder + "impacts.jsonl")).lines();
+  REQUIRE(lines.size() == 8);
+  REQUIRE(expected.size() == lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) CHECK(lines[i]["verdict"] == expected[i]);
+  // m = 1: from (2, 3) to (1, 3/2), 13/2 J to 13/8 J
+  CHECK(lines[0]["energy"] == nlohmann::json{{"before", nullptr}, {"work", -4.875}, {"gains", false}});
+  CHECK(lines[3]["energy"] == nlohmann::json{{"before", 20.0}, {"work", 7.5}, {"gains", true}});
+  CHECK(lines[3]["impact"] == "newton");
+  CHECK(lines[4]["energy"]["gains"] == nullptr);
+  CHECK(lines[5]["energy"]["work"].get<double>() == doctest::Approx(6.0 * 25 / 27));  // 6 J become 6 * 52/27
+}
+
 TEST_CASE("the shipped examples get the verdicts that their table tells, and the bicycle is the one of the scene") {
   const std::string folder = std::string(SLIPPROOF_SOURCE_DIR) + "/cases/";
   const auto expected = verdicts_in_table(folder + "CERTIFYING.md", "examples.jsonl");

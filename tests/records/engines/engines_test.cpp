@@ -46,6 +46,26 @@ TEST_CASE("an engine's answer is right within a thousandth of the largest accele
   CHECK(verdict_on("one-motion/pulled", R"("motion":{"ax":null,"ay":0})") == failed);
 }
 
+TEST_CASE("an answer to an impact is judged by each law, and its energy is told") {
+  const test::EngineFiles files;
+  files.impact();
+  const auto judged = [&](const std::string& motion) {
+    files.answer("impact/bar", "\"motion\":" + motion);
+    return judge_engines(files.folder()).scenes.at(0).answers.at(0);
+  };
+  const JudgedEngineAnswer newton = judged(R"({"vx":0,"vy":1.3333333,"omega":-0.6666667})");
+  CHECK(newton.verdict == EngineVerdict::right);
+  CHECK(newton.laws == std::vector{ImpactLaw::newton});
+  CHECK(*newton.energy_gained == doctest::Approx(-14.0 / 27));
+  const JudgedEngineAnswer moreau = judged(R"({"vx":0,"vy":0.5,"omega":-1.5})");
+  CHECK(moreau.laws == std::vector{ImpactLaw::moreau});
+  CHECK(*moreau.energy_gained == -0.75);
+  const JudgedEngineAnswer none = judged(R"({"vx":0,"vy":1,"omega":3})");
+  CHECK(none.verdict == EngineVerdict::wrong);
+  CHECK(none.laws.empty());
+  CHECK(*none.energy_gained == 0);
+}
+
 TEST_CASE("where there is no motion every answer is wrong") {
   CHECK(verdict_on("none/rod", R"("motion":{"ax":0,"ay":0,"phi":0})") == EngineVerdict::wrong);
   CHECK(verdict_on("none/rod", R"("motion":{"ax":0,"ay":-10,"phi":0})") == EngineVerdict::wrong);

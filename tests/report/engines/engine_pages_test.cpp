@@ -174,3 +174,19 @@ TEST_CASE("the shipped table says whose contacts differ on purpose") {
     CHECK(designs.contains(engine));
   CHECK(designs.size() == 9);
 }
+
+TEST_CASE("impacts are counted by the laws by which they are right") {
+  const test::EngineFiles files;
+  files.impact();
+  files.answer("impact/bar", R"("motion":{"vx":0,"vy":0.5,"omega":-1.5})");
+  const EngineResults results = engine_results(judge_engines(files.folder()));
+  const Json rows = Json::parse(engine_table_json(results))["impacts"];
+  REQUIRE(rows.size() == 1);
+  CHECK(rows[0]["right_by"] == Json{{"newton", 0}, {"moreau", 1}, {"poisson", 0}});
+  CHECK(rows[0]["gains_energy"] == 0);
+  const auto pages = pages_of(results);
+  CHECK(pages.at("index.html").find("id=\"impacts\"") != std::string::npos);
+  CHECK(pages.at("impact/bar.html").find("right by moreau; energy -75 %") != std::string::npos);
+  CHECK(pages.at("impact/bar.html").find("<h3>By Poisson") != std::string::npos);
+  CHECK(pages.at("impact/bar.svg").find("<svg") != std::string::npos);
+}

@@ -25,12 +25,13 @@ namespace {
 
 const std::filesystem::path scenes_folder = SLIPPROOF_SOURCE_DIR "/cases/engines/scenes";
 
-/// Those in the plane.
+/// Those in the plane, without impacts.
 std::vector<std::filesystem::path> shipped_scenes() {
   std::set<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(scenes_folder)) {
-    const bool in_space = entry.path().parent_path().filename().string().starts_with("space-");
-    if (entry.path().extension() == ".toml" && !in_space) files.insert(entry.path());
+    const std::string folder = entry.path().parent_path().filename().string();
+    if (entry.path().extension() == ".toml" && !folder.starts_with("space-") && folder != "impact")
+      files.insert(entry.path());
   }
   return {files.begin(), files.end()};
 }

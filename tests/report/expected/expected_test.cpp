@@ -32,8 +32,7 @@ Read json_of(const std::string& scene) {
   return Read::parse(expected_json({answer_of(scene)}));
 }
 Expected answer_in_space(const std::string& scene) {
-  return expected_of(read_scene(engines + "scenes/" + scene + ".toml", Dimensions::any),
-                     std::filesystem::path(scene).stem().string());
+  return expected_of(engines + "scenes/" + scene + ".toml", std::filesystem::path(scene).stem().string());
 }
 Read json_in_space(const std::string& scene) {
   return Read::parse(expected_json({answer_in_space(scene)}));
@@ -141,6 +140,20 @@ TEST_CASE("a threshold in space that leaves the domain is refused") {
   CHECK_THROWS_WITH_AS(expected_of(scene, "ball"), doctest::Contains("nu"), InputError);
 }
 
+TEST_CASE("an impact has its outcomes by each law, and no test for pytest") {
+  const std::string file = engines + "scenes/impact/two-balls-e-half.toml";
+  const Expected answer = expected_of(std::filesystem::path(file), "two-balls-e-half");
+  const Read balls = Read::parse(expected_json({answer}));
+  CHECK(balls["unknowns"].size() == balls["before"]["velocities"].size());
+  CHECK(balls["before"]["energy"] == "2");
+  for (const char* law : {"newton", "moreau", "poisson"}) {
+    CHECK(balls["impact"][law]["complete"] == true);
+    REQUIRE(balls["impact"][law]["outcomes"].size() == 1);
+    CHECK(balls["impact"][law]["outcomes"][0]["energy"] == "5/4");  // (1/2)^2/2 + (3/2)^2/2
+  }
+  CHECK_THROWS_WITH_AS(expected_pytest({answer}), doctest::Contains("found an impact"), InputError);
+}
+
 TEST_CASE("texts with quotes, backslashes and control characters are told as they are") {
   ExpectedAnswer answer = answer_of("one-motion/cube-tips");
   answer.solved.scene.question = "a \"b\" \\ c\n\a\xc3\xa9?";
@@ -206,5 +219,5 @@ TEST_CASE("the shipped expected answers are found again, byte for byte") {
     const Expected answer = answer_in_space(name);
     CHECK(expected_json({answer}) == read_text_file(engines + "expected/" + name + ".json"));
   }
-  CHECK(classes.size() == 12);
+  CHECK(classes.size() == 14);
 }

@@ -1,4 +1,4 @@
-// A small folder of engines: two scenes, and the answers that a test gives.
+// A small folder of engines: two scenes and an impact, and the answers that a test gives.
 #pragma once
 
 #include <filesystem>
@@ -59,6 +59,41 @@ mu = "2"
 w = "0"
 g = "10"
 theta = { cos = "3/5", sin = "4/5" }
+)");
+  }
+
+  /// `impact/bar`: a bar with m = 1 and I = 1/3 that comes with vy = -1 and omega = 3 to one of two stops, which it
+  /// leaves at the other, e = 1/2: 2 J. After it vy and omega are 4/3 and -2/3 by Newton's law, 1/2 and -3/2 by
+  /// Moreau's.
+  void impact() const {
+    std::filesystem::create_directory(folder_.path("scenes/impact"));
+    folder_.write("scenes/impact/bar.toml", R"(
+schema = "slipproof/mechanism/1"
+name = "a bar on two stops"
+gravity = "none"
+restitution = "1/2"
+[impact]
+law = "moreau"
+[[body]]
+name = "bar"
+mass = "1"
+inertia = "1/3"
+at = ["0", "0"]
+velocity = ["0", "-1"]
+spin = "3"
+shape = { line = [["-1", "0"], ["2", "0"]] }
+[[contact]]
+name = "left"
+of = "bar"
+point = ["-1", "0"]
+normal = ["0", "1"]
+through = ["-1", "0"]
+[[contact]]
+name = "right"
+of = "bar"
+point = ["2", "0"]
+normal = ["0", "1"]
+through = ["2", "0"]
 )");
   }
 

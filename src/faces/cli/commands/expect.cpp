@@ -10,7 +10,6 @@
 #include "base/input/diagnostic.hpp"
 #include "base/output/output_file.hpp"
 #include "faces/cli/command.hpp"
-#include "faces/cli/warnings.hpp"
 #include "mechanics/scene/scene.hpp"
 #include "report/expected/expected.hpp"
 
@@ -39,20 +38,15 @@ void expect(const ExpectArguments& arguments) {
     throw CLI::ValidationError(
         "SCENE", "found two scenes called " + in_quotes(id_of(file)) + ", expected files with different names");
   }
-  std::vector<MechanismScene> scenes;
   for (const std::string& file : arguments.scenes) {
-    scenes.push_back(read_scene(file, Dimensions::any));
-    refuse_impact(scenes.back(), "expect");
     inputs.add(file);
-    inputs.add(scenes.back().mechanism.file);
+    inputs.add(read_scene(file, Dimensions::any).mechanism.file);
   }
   std::optional<OutputFile> output;
   if (!arguments.output.empty()) output.emplace(arguments.output, inputs);
   expect_ending("--output", arguments.output, {arguments.format == "pytest" ? ".py" : ".json"}, ", as --format says");
   std::vector<Expected> answers;
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    answers.push_back(expected_of(std::move(scenes[i]), id_of(arguments.scenes[i])));
-  }
+  for (const std::string& file : arguments.scenes) answers.push_back(expected_of(file, id_of(file)));
   const std::string text = text_of(arguments.format, answers);
   output ? output->write(text) : print(text);
 }

@@ -14,7 +14,7 @@ Functions may be called from any thread and let other threads run. Ctrl-C ends t
 
 from ._bicycles import VERDICTS, BicycleVerdicts, certify_bicycles
 from ._bodies import Body, Contact, Force, Friction, Joint, Torque
-from ._certify import certify, certify_bodies, certify_file
+from ._certify import Impact, certify, certify_bodies, certify_file
 from ._core import version as __version__
 from ._errors import Diagnostic, InputError, TooMuchWork
 from ._filter import MODES, ConsistentModes, consistent_modes
@@ -32,7 +32,7 @@ from ._verdicts import CONTACT_VERDICTS, BatchVerdicts, Verdict, Verdicts
 __all__ = [
     "CONTACT_VERDICTS", "MODES", "VERDICTS", "Affine", "BatchVerdicts", "BicycleVerdicts", "Body", "Bounds", "Cell", "Check", "CheckedCertificate", "ClaimVerdict", "ConsistentModes", "Contact", "Continuum", "Critical",
     "Diagnostic", "Force", "Friction",
-    "InputError", "Interval", "Joint", "Mechanism", "Motion", "PhaseDiagram", "ProgressBar", "Proof", "Range", "Rejected", "Rest", "RestMap", "Scene",
+    "Impact", "InputError", "Interval", "Joint", "Mechanism", "Motion", "PhaseDiagram", "ProgressBar", "Proof", "Range", "Rejected", "Rest", "RestMap", "Scene",
     "Search", "Solution", "SpaceMotion", "SpaceSolution", "TooMuchWork", "Torque", "Verdict", "Verdicts", "Verification", "__version__", "certify",
     "certify_bicycles", "certify_bodies", "certify_file",
     "check", "consistent_modes", "critical", "phase_diagram", "prove", "search", "shipped_mechanisms", "solve", "verify",

@@ -126,3 +126,30 @@ def one_of(name: str, value: Any, choices: Tuple[str, ...]) -> str:
     if value not in choices:
         raise wrong_value(name, repr(value), " or ".join(repr(c) for c in choices))
     return value
+
+
+def is_sparse(W: Any) -> bool:
+    return hasattr(W, "tocsr")
+
+
+def sparse_rows(W: Any, size: int) -> Tuple[Any, ...]:
+    """(indptr, indices, data) of a SciPy matrix, or of an object with the same members; sums duplicate entries."""
+    csr = W.tocsr()
+    if tuple(csr.shape) != (size, size):
+        raise wrong_value("W", f"shape {tuple(csr.shape)}", f"{(size, size)} as q has {size} components")
+    if hasattr(csr, "sum_duplicates"):
+        csr = csr.copy() if csr is W else csr
+        csr.sum_duplicates()
+    data = doubles("W.data", csr.data, (1,))
+    starts, columns = (np.ascontiguousarray(x, dtype=np.int64) for x in (csr.indptr, csr.indices))
+    monotone = starts.shape == (size + 1,) and starts[0] == 0 and starts[-1] == data.size and (np.diff(starts) >= 0).all()
+    if not monotone or columns.shape != data.shape or (columns.size and not 0 <= columns.min() <= columns.max() < size):
+        raise wrong_value("W", "indptr and indices that do not fit each other", "rows as SciPy's csr_matrix has them")
+    return starts, columns, data
+
+
+def refuse_infinite(name: str, array: Optional[Array]) -> None:
+    if array is None or array.dtype == object or np.isfinite(array).all():
+        return
+    place = tuple(int(i) for i in np.argwhere(~np.isfinite(array))[0])
+    raise wrong_value(f"{name}{list(place)}", array[place], "a finite number")

@@ -6,13 +6,14 @@ import errno
 import json
 import os
 from pathlib import Path
-from typing import Any, Callable, Optional, Sequence, Tuple, Union, overload
+from typing import Any, Callable, NamedTuple, Optional, Sequence, Tuple, Union, overload
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import Array, Doubles, doubles, numbers, one_of, real, rounded_nowhere, shaped, texts, whole
+from ._arrays import (Array, Doubles, is_sparse, numbers, one_of, real, refuse_infinite, rounded_nowhere, shaped,
+                      sparse_rows, texts, whole)
 from ._errors import wrong_type, wrong_value
 from ._numbers import Number
 from ._progress import Progress, reporter
@@ -21,31 +22,13 @@ from ._verdicts import BatchVerdicts, JudgedVerdicts, Verdict, Verdicts
 #: Sizes up to which every solution of a problem is looked for in exact arithmetic, unless the caller wants otherwise.
 EXACT_UP_TO = 64
 _EFFORT = 1_500_000_000
-#: bounds, compliance, bias, slip speed, function
-_Solver = Tuple[Optional[Doubles], Optional[Doubles], Optional[Doubles], Optional[float], str]
+#: law, restitution, tangential restitution, velocities before
+_StepImpact = Optional[Tuple[str, Doubles, Optional[Doubles], Doubles]]
+#: bounds, compliance, bias, slip speed, function, impact
+_Solver = Tuple[Optional[Doubles], Optional[Doubles], Optional[Doubles], Optional[float], str, _StepImpact]
 #: matrix, q, mu, dimension, z, w
 _Given = Tuple[Tuple[Any, ...], Doubles, Optional[Doubles], int, Optional[Doubles], Optional[Doubles]]
 _LAWS = tuple(_core.law_words())
-
-
-def _is_sparse(W: Any) -> bool:
-    return hasattr(W, "tocsr")
-
-
-def _sparse(W: Any, size: int) -> Tuple[Any, ...]:
-    """(indptr, indices, data) of a SciPy matrix, or of an object with the same members; sums duplicate entries."""
-    csr = W.tocsr()
-    if tuple(csr.shape) != (size, size):
-        raise wrong_value("W", f"shape {tuple(csr.shape)}", f"{(size, size)} as q has {size} components")
-    if hasattr(csr, "sum_duplicates"):
-        csr = csr.copy() if csr is W else csr
-        csr.sum_duplicates()
-    data = doubles("W.data", csr.data, (1,))
-    starts, columns = (np.ascontiguousarray(x, dtype=np.int64) for x in (csr.indptr, csr.indices))
-    monotone = starts.shape == (size + 1,) and starts[0] == 0 and starts[-1] == data.size and (np.diff(starts) >= 0).all()
-    if not monotone or columns.shape != data.shape or (columns.size and not 0 <= columns.min() <= columns.max() < size):
-        raise wrong_value("W", "indptr and indices that do not fit each other", "rows as SciPy's csr_matrix has them")
-    return starts, columns, data
 
 
 def _contacts(mu: Any, shape: Tuple[int, ...], dimension: Optional[int], of: str = "q") -> Tuple[int, Optional[Array]]:
@@ -68,11 +51,42 @@ def _contacts(mu: Any, shape: Tuple[int, ...], dimension: Optional[int], of: str
     return each, array
 
 
+class Impact(NamedTuple):
+    """Contacts approach in the step, and a law of impact restores velocities.
+
+    ``law``: ``newton`` restores ``restitution`` times the velocity of a contact that approaches, ``moreau`` that of each
+    contact; both also ``tangential_restitution`` times the velocities of sliding. Each is a number, or one for each contact.
+    ``before`` are the velocities before the step: of contacts, like q, for :func:`certify`; of bodies, like f, for
+    :func:`certify_bodies`. ``details["energy"]`` of a verdict then says whether the impulses gain energy.
+    """
+
+    law: str
+    restitution: Any
+    before: Any
+    tangential_restitution: Any = None
+
+
+def _impact(impact: Optional[Impact], contacts: int, shape: Tuple[int, ...], of: str) -> _StepImpact:
+    if impact is None:
+        return None
+    if not isinstance(impact, Impact):
+        raise wrong_type("impact", impact, "a slipproof.Impact")
+    one_of("impact.law", impact.law, ("newton", "moreau"))
+    if impact.restitution is None:
+        raise wrong_value("impact.restitution", "None", "a number from 0 to 1, or one for each contact")
+    restitution = _each("impact.restitution", impact.restitution, contacts)
+    assert restitution is not None
+    before = shaped("impact.before", impact.before, shape, f"as {of} has shape {shape}")
+    return (impact.law, restitution, _each("impact.tangential_restitution", impact.tangential_restitution, contacts),
+            rounded_nowhere("impact.before", before))
+
+
 @overload
 def certify(W: Any, q: Sequence[Number], z: Any = None, mu: Any = None, *, w: Any = None,  # type: ignore[misc]
             dimension: Optional[int] = None,
             tolerance: Optional[float] = None, law: str = "cone", bounds: Any = None, compliance: Any = None,
-            bias: Any = None, slip_speed: Optional[float] = None, function: str = "linear", refine: bool = False,
+            bias: Any = None, slip_speed: Optional[float] = None, function: str = "linear",
+            impact: Optional[Impact] = None, refine: bool = False,
             all: bool = False, within: Optional[float] = None, method: str = "auto", effort: Optional[int] = None,
             threads: int = 0, progress: Progress = None) -> Verdict: ...
 
@@ -81,7 +95,8 @@ def certify(W: Any, q: Sequence[Number], z: Any = None, mu: Any = None, *, w: An
 def certify(W: Any, q: Sequence[Sequence[Number]], z: Any = None, mu: Any = None, *, w: Any = None,
             dimension: Optional[int] = None,
             tolerance: Optional[float] = None, law: str = "cone", bounds: Any = None, compliance: Any = None,
-            bias: Any = None, slip_speed: Optional[float] = None, function: str = "linear", refine: bool = False,
+            bias: Any = None, slip_speed: Optional[float] = None, function: str = "linear",
+            impact: Optional[Impact] = None, refine: bool = False,
             all: bool = False, within: Optional[float] = None, method: str = "auto", effort: Optional[int] = None,
             threads: int = 0, progress: Progress = None) -> Verdicts: ...
 
@@ -90,14 +105,16 @@ def certify(W: Any, q: Sequence[Sequence[Number]], z: Any = None, mu: Any = None
 def certify(W: Any, q: "npt.NDArray[Any]", z: Any = None, mu: Any = None, *, w: Any = None,
             dimension: Optional[int] = None,
             tolerance: Optional[float] = None, law: str = "cone", bounds: Any = None, compliance: Any = None,
-            bias: Any = None, slip_speed: Optional[float] = None, function: str = "linear", refine: bool = False,
+            bias: Any = None, slip_speed: Optional[float] = None, function: str = "linear",
+            impact: Optional[Impact] = None, refine: bool = False,
             all: bool = False, within: Optional[float] = None, method: str = "auto", effort: Optional[int] = None,
             threads: int = 0, progress: Progress = None) -> Any: ...
 
 
 def certify(W: Any, q: Any, z: Any = None, mu: Any = None, *, w: Any = None, dimension: Optional[int] = None,
             tolerance: Optional[float] = None, law: str = "cone", bounds: Any = None, compliance: Any = None,
-            bias: Any = None, slip_speed: Optional[float] = None, function: str = "linear", refine: bool = False,
+            bias: Any = None, slip_speed: Optional[float] = None, function: str = "linear",
+            impact: Optional[Impact] = None, refine: bool = False,
             all: bool = False, within: Optional[float] = None, method: str = "auto", effort: Optional[int] = None,
             threads: int = 0, progress: Progress = None) -> Union[Verdict, Verdicts]:
     """Is z an answer to the contact problem w = W z + q, and the only one?
@@ -125,7 +142,8 @@ def certify(W: Any, q: Any, z: Any = None, mu: Any = None, *, w: Any = None, dim
     ``law`` is what the solver solves: ``cone`` (or ``coulomb``), the pyramids ``box`` and ``diamond``, ``fixed`` with
     ``bounds`` of the tangential components, ``associated``, ``regularised`` with ``slip_speed`` and ``function``
     (``linear`` or ``soft``). ``compliance`` and ``bias``, numbers or arrays like q, are what it adds to w: R z and b.
-    Where anything differs from Coulomb's law, ``details["coulomb"]`` judges the same forces by that.
+    Where anything differs from Coulomb's law, ``details["coulomb"]`` judges the same forces by that. ``impact``: an
+    :class:`Impact`, for a step in which contacts approach.
 
     Raises TypeError and ValueError for arrays that do not fit, or that hold numbers which are no float64 where not every
     solution is looked for in exact arithmetic; InputError for numbers that no problem can have.
@@ -145,11 +163,11 @@ def certify(W: Any, q: Any, z: Any = None, mu: Any = None, *, w: Any = None, dim
     one_of("law", law, _LAWS)
     one_of("function", function, ("linear", "soft"))
     one_of("method", method, ("auto", "exact", "enclosure"))
-    own_law = law not in ("cone", "coulomb") or compliance is not None or bias is not None
+    own_law = law not in ("cone", "coulomb") or any(x is not None for x in (compliance, bias, impact))
     special = refine or all or within is not None or own_law or z is None
-    can_be_exact = dims < 3 and size <= EXACT_UP_TO and not _is_sparse(W) and not special
+    can_be_exact = dims < 3 and size <= EXACT_UP_TO and not is_sparse(W) and not special
     if method == "exact" and not can_be_exact:
-        raise wrong_value("method", "'exact'", "an array W, an answer z, no refine, all, within or law, dimension 1 or 2, "
+        raise wrong_value("method", "'exact'", "an array W, an answer z, no refine, all, within, law or impact, dimension 1 or 2, "
                           f"and at most {EXACT_UP_TO} components")
     if z is None and not refine and not all:
         raise wrong_value("z", "None", "an answer, refine=True or all=True")
@@ -160,7 +178,8 @@ def certify(W: Any, q: Any, z: Any = None, mu: Any = None, *, w: Any = None, dim
         tangential = 0 if mu_array is None else size - size // dims
         solver: _Solver = (
             _each("bounds", bounds, tangential), _each("compliance", compliance, size), _each("bias", bias, size),
-            None if slip_speed is None else real("slip_speed", slip_speed, 0, 1e300), function)
+            None if slip_speed is None else real("slip_speed", slip_speed, 0, 1e300), function,
+            _impact(impact, size // dims, q_array.shape, "q"))
         given = _arrays(W, rounded_nowhere("q", q_array), z, w,
                         None if mu_array is None else rounded_nowhere("mu", mu_array), dims)
         if q_array.ndim == 1:
@@ -184,7 +203,8 @@ def _each(name: str, value: Any, size: int) -> Optional[Doubles]:
 
 
 def certify_bodies(M: Any, H: Any, f: Any, r: Any = None, mu: Any = None, *, w: Any = None, u: Any = None, v: Any = None,
-                   dimension: int = 3, tolerance: Optional[float] = None, refine: bool = False, all: bool = False,
+                   dimension: int = 3, impact: Optional[Impact] = None, tolerance: Optional[float] = None,
+                   refine: bool = False, all: bool = False,
                    within: Optional[float] = None, effort: Optional[int] = None, threads: int = 0,
                    progress: Progress = None) -> BatchVerdicts:
     """Are the rows of r answers to the contact problems of bodies M v = H r + f, u = H^T v + w?
@@ -193,7 +213,7 @@ def certify_bodies(M: Any, H: Any, f: Any, r: Any = None, mu: Any = None, *, w: 
     and so may ``mu``: a number, one for each contact, or (k, contacts). ``w`` (k, m) is 0 if it is left out; ``r`` (k, m) has
     the forces of each contact, (N, T1, T2) in space; ``u`` (k, m) and ``v`` (k, n), the solver's velocities of contacts
     and bodies, may be left out. These numbers are judged as they are: W = H^T M^-1 H is not rounded on the way.
-    ``dimension`` is 2 or 3. ``tolerance``, ``refine``, ``all``, ``within``, ``effort``, ``threads`` and ``progress`` are those
+    ``dimension`` is 2 or 3. ``impact``, ``tolerance``, ``refine``, ``all``, ``within``, ``effort``, ``threads`` and ``progress`` are those
     of :func:`certify`. Raises TypeError and ValueError for arrays that do not fit, InputError for numbers that no problem
     can have.
     """
@@ -221,7 +241,8 @@ def certify_bodies(M: Any, H: Any, f: Any, r: Any = None, mu: Any = None, *, w: 
                                    None if effort is None else whole("effort", effort, 1, 2**63))
     given = (rounded_nowhere(name, x) for name, x in (("M", mass), ("H", directions), ("f", push)))
     return BatchVerdicts(*_core.certify_bodies(*given, np.zeros((count, m)) if free is None else free,
-                                               rounded_nowhere("mu", friction), dims, answers, options,
+                                               rounded_nowhere("mu", friction), dims, answers,
+                                               _impact(impact, m // dims, (count, n), "f"), options,
                                                whole("threads", threads, 0, 4096), reporter(progress)))
 
 
@@ -231,8 +252,8 @@ def _arrays(W: Any, q: Doubles, z: Any, w: Any, mu: Optional[Doubles], dimension
     why = f"as q has {n} components" if q.ndim == 1 else f"as q has shape {q.shape}"
     if mu is not None and mu.ndim == 2 and mu.shape[:-1] != q.shape[:-1]:
         raise wrong_value("mu", f"shape {mu.shape}", f"({q.shape[0]}, {mu.shape[-1]}) {why}")
-    if _is_sparse(W):
-        matrix = _sparse(W, n)
+    if is_sparse(W):
+        matrix = sparse_rows(W, n)
     else:
         dense = shaped("W", W, (n, n), why) if q.ndim == 1 else _matrices(W, q.shape, why)
         matrix = (rounded_nowhere("W", dense),)
@@ -249,13 +270,6 @@ def _matrices(W: Any, shape: Tuple[int, ...], why: str) -> Array:
     return array
 
 
-def _finite(name: str, array: Optional[Array]) -> None:
-    if array is None or array.dtype == object or np.isfinite(array).all():
-        return
-    place = tuple(int(i) for i in np.argwhere(~np.isfinite(array))[0])
-    raise wrong_value(f"{name}{list(place)}", array[place], "a finite number")
-
-
 def _certify_exact(W: Any, q: Array, z: Any, w: Any, mu: Optional[Array], tolerance: float, effort: int,
                    threads: int, progress: Optional[Callable[[int, int], object]]) -> Union[Verdict, Verdicts]:
     shape, n = q.shape, q.shape[-1]
@@ -268,7 +282,7 @@ def _certify_exact(W: Any, q: Array, z: Any, w: Any, mu: Optional[Array], tolera
     if mu is not None and mu.shape[:-1] not in ((), shape[:-1]):
         raise wrong_value("mu", f"shape {mu.shape}", f"({shape[0]}, {mu.shape[-1]}) {why}")
     for name, array in (("W", W_array), ("q", q), ("mu", mu)):
-        _finite(name, array)
+        refuse_infinite(name, array)
     if mu is not None and (mu < 0).any():
         raise wrong_value("mu", float(mu.min()), "coefficients >= 0")
     lines = _core.certify_exact((shape[0] if len(shape) == 2 else 1, n, 0 if mu is None else mu.shape[-1]),

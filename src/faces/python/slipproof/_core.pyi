@@ -59,14 +59,18 @@ def dimension_by_sizes(components: int, coefficients: Optional[int]) -> int: ...
 def certify_problem(matrix: Tuple[Any, ...], q: _Doubles, mu: Optional[_Doubles], dimension: int,
                     z: Optional[_Doubles], w: Optional[_Doubles], bounds: Optional[_Doubles],
                     compliance: Optional[_Doubles], bias: Optional[_Doubles], slip_speed: Optional[float],
-                    function: str, options: ContactOptions) -> Judged: ...
+                    function: str, impact: Optional[Tuple[str, _Doubles, Optional[_Doubles], _Doubles]],
+                    options: ContactOptions) -> Judged: ...
 def certify_problems(matrix: Tuple[Any, ...], q: _Doubles, mu: Optional[_Doubles], dimension: int,
                      z: Optional[_Doubles], w: Optional[_Doubles], bounds: Optional[_Doubles],
                      compliance: Optional[_Doubles], bias: Optional[_Doubles], slip_speed: Optional[float],
-                     function: str, options: ContactOptions, threads: int, progress: _Progress
+                     function: str, impact: Optional[Tuple[str, _Doubles, Optional[_Doubles], _Doubles]],
+                     options: ContactOptions, threads: int, progress: _Progress
                      ) -> Tuple["npt.NDArray[np.uint8]", _Doubles, _Doubles, List[str]]: ...
 def certify_bodies(M: _Doubles, H: _Doubles, f: _Doubles, w: _Doubles, mu: _Doubles, dimension: int,
-                   answers: Sequence[Optional[_Doubles]], options: ContactOptions, threads: int, progress: _Progress
+                   answers: Sequence[Optional[_Doubles]],
+                   impact: Optional[Tuple[str, _Doubles, Optional[_Doubles], _Doubles]], options: ContactOptions,
+                   threads: int, progress: _Progress
                    ) -> Tuple["npt.NDArray[np.uint8]", _Doubles, _Doubles, List[str]]: ...
 contact_verdicts: Tuple[str, ...]
 def law_words() -> List[str]: ...

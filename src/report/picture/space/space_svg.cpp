@@ -213,7 +213,7 @@ std::string single_file(const MechanismScene& scene, const SpaceMotion* motion, 
       space_style());
 }
 
-/// `F = 3 N, 2 motions`.
+/// `F = 3 N, 2 motions`; of an impact outcomes.
 std::string counted_in_space(const SolvedSpace& solved, const SpaceNumbers& numbers) {
   std::string text;
   if (solved.scene.mechanism.load && solved.scene.load) text = load_text(solved.scene, numbers.words()) + ", ";

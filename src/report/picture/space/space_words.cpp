@@ -45,13 +45,14 @@ std::string heading_of(const SpaceMotion& motion) {
 }
 
 std::string counted_motions(const SolvedSpace& solved) {
-  if (solved.motions.empty() && !solved.complete()) return "no motion found, and there may be some";
+  const std::string word = solved.scene.mechanism.impact ? "outcome" : "motion";
+  if (solved.motions.empty() && !solved.complete()) return "no " + word + " found, and there may be some";
   const auto continua = static_cast<std::size_t>(std::ranges::count_if(solved.motions, &SpaceMotion::is_continuum));
   const std::size_t others = solved.motions.size() - continua;
   std::vector<std::string> words;
-  if (others > 0 || continua == 0) words.push_back(others == 0 ? "no motion" : counted(others, "motion"));
-  if (continua == 1) words.emplace_back("a continuum of motions");
-  if (continua > 1) words.push_back(fmt::format("{} continua of motions", continua));
+  if (others > 0 || continua == 0) words.push_back(others == 0 ? "no " + word : counted(others, word));
+  if (continua == 1) words.push_back("a continuum of " + word + "s");
+  if (continua > 1) words.push_back(fmt::format("{} continua of {}s", continua, word));
   return listed(words, " and ") + (solved.complete() ? "" : ", and there may be others");
 }
 

@@ -25,7 +25,7 @@ MechanismScene scene_before(const SolvedImpact& solved) {
     body.spin = body.turning;
   }
   scene.mechanism.bodies = bodies;
-  if (solved.scene.mechanism.impact->law != ImpactLaw::poisson) return scene;
+  if (solved.scene.mechanism.impact->law != ImpactLaw::poisson || solved.space) return scene;
   for (std::size_t i = 0; i < solved.contacts.size(); ++i) {  // they show the impulse of both phases
     Mechanism& m = scene.mechanism;
     const std::size_t extra = m.contacts[i].normal;

@@ -1,0 +1,33 @@
+// The kinetic energy before and after an impact.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "mechanics/kernel/polyhedron.hpp"
+#include "mechanics/points/problem.hpp"
+
+namespace slipproof {
+
+/// At a point of a mechanism that is an impact.
+class ImpactEnergy {
+ public:
+  /// The maker is only used here. Throws NoValue for a division by zero.
+  ImpactEnergy(const Mechanism& mechanism, const ProblemMaker& maker, const MechanismValues& values,
+               const std::optional<Rational>& load);
+
+  const std::vector<Rational>& velocities() const { return velocities_; }  ///< before, of the unknown accelerations
+  const Rational& before() const { return before_; }
+  /// Of velocities, as many as those before; others may follow. Exact for points; otherwise a range that holds it.
+  Range of(const std::vector<Range>& velocities) const;
+  /// Whether bodies move that no impulse changes, and may put energy in.
+  bool is_driven() const { return driven_; }
+
+ private:
+  std::vector<Rational> velocities_;
+  std::vector<std::vector<Rational>> masses_;  ///< the matrix of the kinetic energy
+  Rational before_;
+  bool driven_ = false;
+};
+
+}  // namespace slipproof
