@@ -1,5 +1,7 @@
 #include "contact/enclosure/dependence.hpp"
 
+#include <flint/nmod_mat.h>
+
 #include <Eigen/OrderingMethods>
 #include <Eigen/QR>
 #include <Eigen/SparseQR>
@@ -61,6 +63,29 @@ std::vector<std::size_t> others(const std::vector<Index>& chosen, std::span<cons
   return result;
 }
 
+/// A matrix modulo a prime of 62 bits.
+class ResidueMatrix {
+ public:
+  ResidueMatrix(std::size_t rows, std::size_t columns) {
+    nmod_mat_init(value_, static_cast<slong>(rows), static_cast<slong>(columns), prime);
+  }
+  explicit ResidueMatrix(FlintMatrix& matrix)
+      : ResidueMatrix(static_cast<std::size_t>(fmpz_mat_nrows(matrix.get())),
+                      static_cast<std::size_t>(fmpz_mat_ncols(matrix.get()))) {
+    fmpz_mat_get_nmod_mat(value_, matrix.get());
+  }
+  ~ResidueMatrix() { nmod_mat_clear(value_); }
+  ResidueMatrix(const ResidueMatrix&) = delete;
+  ResidueMatrix& operator=(const ResidueMatrix&) = delete;
+
+  nmod_mat_struct* get() { return value_; }
+
+ private:
+  static constexpr mp_limb_t prime = 4611686018427387847;  // the largest below 2^62
+
+  nmod_mat_t value_;
+};
+
 /// Puts a linear equation, as a row of A with its constant below, into a column; without what is 0 in the mode.
 void put_equation(FlintRationalMatrix& to, std::size_t column, const MixedProblem& problem, const ModeSystem& system,
                   std::size_t row) {
@@ -69,6 +94,28 @@ void put_equation(FlintRationalMatrix& to, std::size_t column, const MixedProble
     if (!system.is_zero(columns[e])) to.set(columns[e], column, to_rational(problem.A.values_of(row)[e]));
   }
   to.set(problem.size(), column, to_rational(problem.c[row]));
+}
+
+/// Whether A X = B has a solution modulo a prime. If it has none, it has none at all, or only some with denominators
+/// that this prime divides, which nobody looks for; to find that out in rational numbers takes hundreds of primes.
+bool may_have_solution(FlintRationalMatrix& A, FlintRationalMatrix& B) {
+  const auto rows = static_cast<std::size_t>(fmpq_mat_nrows(A.get()));
+  const auto unknowns = static_cast<std::size_t>(fmpq_mat_ncols(A.get()));
+  const auto sides = static_cast<std::size_t>(fmpq_mat_ncols(B.get()));
+  FlintMatrix whole_A(rows, unknowns), whole_B(rows, sides);
+  fmpq_mat_get_fmpz_mat_rowwise_2(whole_A.get(), whole_B.get(), nullptr, A.get(), B.get());
+  ResidueMatrix a(whole_A), b(whole_B), x(unknowns, sides);
+  return nmod_mat_can_solve(x.get(), a.get(), b.get()) != 0;
+}
+
+/// The unknowns beside which the equations are regular, as well as can be; nothing if there are none.
+std::optional<std::vector<std::size_t>> well_dependent_unknowns(const ModeSystem& system, std::span<const double> z,
+                                                                std::span<const std::size_t> equations,
+                                                                std::span<const std::size_t> unknowns) {
+  const std::vector<double> weights(unknowns.size(), 1);
+  const std::vector<Index> columns = independent_columns(derivative_of(system, z, equations, unknowns), weights);
+  if (columns.size() != equations.size()) return std::nullopt;
+  return others(columns, unknowns);
 }
 
 }  // namespace
@@ -97,7 +144,6 @@ bool combine(const MixedProblem& problem, const ModeSystem& system, std::span<co
   }
   if (dropped.empty()) return true;
   FlintRationalMatrix A(problem.size() + 1, linear.size()), B(problem.size() + 1, dropped.size());
-  FlintRationalMatrix X(linear.size(), dropped.size());
   for (std::size_t j = 0; j < linear.size(); ++j)
     put_equation(A, j, problem, system, system.equations()[linear[j]].row);
   for (std::size_t j = 0; j < dropped.size(); ++j) {
@@ -105,7 +151,8 @@ bool combine(const MixedProblem& problem, const ModeSystem& system, std::span<co
     if (equation.kind != ModeSystem::Kind::linear) return false;
     put_equation(B, j, problem, system, equation.row);
   }
-  if (fmpq_mat_can_solve(X.get(), A.get(), B.get()) == 0) return false;
+  FlintRationalMatrix X(linear.size(), dropped.size());
+  if (!may_have_solution(A, B) || fmpq_mat_can_solve(X.get(), A.get(), B.get()) == 0) return false;
   for (std::size_t j = 0; j < dropped.size(); ++j) {
     for (std::size_t i = 0; i < linear.size(); ++i) {
       if (Rational c = X.at(i, j); !c.is_zero()) dropped[j].combination.emplace_back(linear[i], std::move(c));
@@ -207,7 +254,14 @@ std::optional<std::vector<std::size_t>> dependent_unknowns(const ModeSystem& sys
   return result;
 }
 
-/// exact_dependence() for a large block: exactly dependent equations first.
+/// Whether equations have few unknowns each, so that an elimination fills in little.
+bool is_sparse(const ModeSystem& system, std::span<const double> z, std::span<const std::size_t> equations) {
+  std::size_t entries = 0;
+  for (const std::size_t e : equations) entries += system.derivative(e, z).size();
+  return entries <= 20 * equations.size();
+}
+
+/// exact_dependence() for a large or sparse block: exactly dependent equations first.
 DependenceResult sparse_dependence(const MixedProblem& problem, const ModeSystem& system, std::span<const double> z,
                                    std::span<const std::size_t> equations, std::span<const std::size_t> unknowns) {
   DependenceResult result;
@@ -230,7 +284,9 @@ DependenceResult sparse_dependence(const MixedProblem& problem, const ModeSystem
   for (const std::size_t e : equations) {
     if (!drops[e]) kept.push_back(e);
   }
-  auto open = dependent_unknowns(system, z, kept, unknowns);
+  auto open = std::max(kept.size(), unknowns.size()) > largest_dependent
+                  ? dependent_unknowns(system, z, kept, unknowns)
+                  : well_dependent_unknowns(system, z, kept, unknowns);
   if (open && !open->empty()) {
     result.unknowns = std::move(*open);
     return result;
@@ -244,8 +300,10 @@ DependenceResult sparse_dependence(const MixedProblem& problem, const ModeSystem
 
 DependenceResult exact_dependence(const MixedProblem& problem, const ModeSystem& system, std::span<const double> z,
                                   std::span<const std::size_t> equations, std::span<const std::size_t> unknowns) {
-  if (std::max(equations.size(), unknowns.size()) > largest_dependent) {
-    return sparse_dependence(problem, system, z, equations, unknowns);
+  const bool large = std::max(equations.size(), unknowns.size()) > largest_dependent;
+  if (large || is_sparse(system, z, equations)) {
+    DependenceResult result = sparse_dependence(problem, system, z, equations, unknowns);
+    if (large || result.reason.empty()) return result;
   }
   DependenceResult result;
   DependentPart part = dependent_part(system, z, equations, unknowns);

@@ -32,6 +32,14 @@ double velocity_of_forces(const MixedProblem& problem, std::span<const double> x
 
 }  // namespace
 
+double velocity_error(const MixedProblem& problem, std::span<const Rational> w, std::span<const double> u) {
+  double largest = 0;
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    largest = std::max(largest, upper_size(to_rational(u[i]) - w[problem.free + i]));
+  }
+  return largest;
+}
+
 std::vector<double> contact_scales(const MixedProblem& problem) {
   std::vector<double> diagonal(problem.free, 0);
   for (std::size_t i = 0; i < problem.free; ++i) {

@@ -44,6 +44,9 @@ inline Residual residual(const MixedProblem& problem, std::span<const double> x,
   return residual(problem, x, w, problem.law);
 }
 
+/// The largest |u_i - (A x + c)_i| of contacts, rounded up; `w` is A x + c.
+double velocity_error(const MixedProblem& problem, std::span<const Rational> w, std::span<const double> u);
+
 /// For each contact, the approximate size of the change of u with r: the norm of its block of A, or of the Delassus
 /// matrix with the free rows replaced by their diagonal. Never 0.
 std::vector<double> contact_scales(const MixedProblem& problem);

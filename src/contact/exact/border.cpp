@@ -81,17 +81,6 @@ class LinearMode {
     return exact_solution(A, c, effort);
   }
 
-  static ExactVector over_one_denominator(const std::vector<Rational>& x) {
-    ExactVector result;
-    for (const Rational& value : x) {
-      if (!Integer(result.denominator % denominator(value)).is_zero()) {
-        result.denominator = lcm(result.denominator, denominator(value));
-      }
-    }
-    for (const Rational& value : x) result.numerators.push_back(integer_times(value, result.denominator));
-    return result;
-  }
-
   const MixedProblem& problem_;
   const ModeSystem system_;
   const std::vector<double> z_;

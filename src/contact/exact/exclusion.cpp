@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/number/binary64.hpp"
+#include "contact/enclosure/sizes.hpp"
 #include "contact/linear/rounding.hpp"
 
 namespace slipproof {
@@ -136,6 +137,18 @@ Exclusion exclusion(const MixedProblem& problem, std::span<const double> x, std:
     consider(rounded_down(while_positive(value, slope_of(problem, i))), std::nullopt, i);
   }
   return best;
+}
+
+double relative_exclusion(const MixedProblem& problem, std::span<const double> x, std::span<const Rational> w) {
+  double force = 0;
+  for (std::size_t i = problem.free; i < x.size(); ++i) force = std::max(force, std::abs(x[i]));
+  if (force == 0) return 0;
+  std::vector<double> size = free_sizes(problem, force).unknowns, scaled(x.begin(), x.end());
+  size.resize(x.size(), force);
+  MixedProblem own = problem;
+  for (std::size_t e = 0; e < own.A.value.size(); ++e) own.A.value[e] *= size[own.A.column[e]];
+  for (std::size_t i = 0; i < scaled.size(); ++i) scaled[i] /= size[i] > 0 ? size[i] : 1;
+  return exclusion(own, scaled, w).radius;
 }
 
 }  // namespace slipproof

@@ -21,4 +21,8 @@ struct Exclusion {
 /// with all its states. Linear in the nonzeros of A. `x` is finite, `w` is A x + c.
 Exclusion exclusion(const MixedProblem& problem, std::span<const double> x, std::span<const Rational> w);
 
+/// About the same radius with each component over its size: the largest force of x, and of free unknowns what forces of
+/// that size give them. In floating point: nothing is proved.
+double relative_exclusion(const MixedProblem& problem, std::span<const double> x, std::span<const Rational> w);
+
 }  // namespace slipproof

@@ -8,8 +8,6 @@
 #include "base/number/binary64.hpp"
 #include "base/parallel/failure.hpp"
 #include "contact/enclosure/sizes.hpp"
-#include "contact/exact/border.hpp"
-#include "contact/exact/exact_lcp.hpp"
 #include "contact/exact/no_solution.hpp"
 #include "contact/judge/find/find.hpp"
 #include "contact/judge/others.hpp"
@@ -19,16 +17,6 @@
 namespace slipproof {
 
 namespace {
-
-/// The largest |u_i - (A x + c)_i|, rounded up.
-double velocity_error_of(const MixedProblem& problem, std::span<const Rational> w, std::span<const double> u) {
-  double largest = 0;
-  for (std::size_t i = 0; i < u.size(); ++i) {
-    const Rational difference = to_rational(u[i]) - w[problem.free + i];
-    largest = std::max(largest, enclose(abs(difference)).upper);
-  }
-  return largest;
-}
 
 /// Whether the modes of the law have equations (ModeSystem).
 bool have_modes(const MixedProblem& problem) {
@@ -69,7 +57,8 @@ class ContactCase {
     std::optional<std::vector<Rational>> found;
     extra("why there is no solution", [&] {
       Effort little(beyond_verdict());
-      found = infeasibility(problem_, comes_near(problem_, j_.x, options_.tolerance) ? little : effort_);
+      const bool near = converged_answer(problem_, {.start = j_.x, .elsewhere = false}, options_.tolerance).has_value();
+      found = infeasibility(problem_, near ? little : effort_);  // near one, multipliers are hardly found
     });
     if (found) j_.multipliers = std::move(*found);
     return found.has_value();
@@ -182,46 +171,60 @@ class ContactCase {
   }
 
   void enclose() {
+    const bool right = j_.residual->backward_error() <= options_.tolerance;
     auto found = enclose_solution(problem_, j_.x, options_.enclosure);
-    if (auto* box = std::get_if<Enclosure>(&found)) return take(std::move(*box));
-    if (problem_.is_coulomb() && solve_exactly() && error_from(j_.exact) <= options_.tolerance) return;
+    if (auto* box = std::get_if<Enclosure>(&found)) {
+      if (right || !problem_.is_coulomb() || error_from(*box) <= contact_near) return take(std::move(*box));
+      far_ = std::move(*box);
+      found = NoEnclosure{"the solution that was found is too far from the answer", {}};
+    }
+    if (problem_.is_coulomb() && solve_exactly(right) && error_from(j_.exact) <= options_.tolerance) return;
     if (const auto& failure = std::get<NoEnclosure>(found); failure.at_border) {
       auto box = enclose_touching(problem_, j_.x, failure.contacts, options_.enclosure);
       if (box) return take(std::move(*box));
     }
-    const bool right = j_.residual->backward_error() <= options_.tolerance;
-    if (problem_.is_coulomb()) extra("forces inside of their cones", [&] { move_inside(right); });
+    const std::vector<double> start = right ? j_.x : improved_answer(problem_, j_.x, options_);
+    const bool converged = right || start != j_.x;
+    if (!right && converged) extra("a solution from an improved answer", [&] { enclose_near(start); });
     if (j_.enclosure) return;
-    if (problem_.is_coulomb() && (right || options_.refine)) extra("a solution along a path", [&] { follow(); });
+    if (problem_.is_coulomb()) extra("forces inside of their cones", [&] { move_inside(start, right); });
+    if (j_.enclosure) return;
+    const bool follows = problem_.is_coulomb() && (converged || options_.refine);
+    if (follows) extra("a solution along a path", [&] { follow(start); });
+    if (!j_.has_solution() && far_) take(*std::move(far_));
     if (j_.has_solution()) return;
     auto& failure = std::get<NoEnclosure>(found);
     j_.reason = std::move(failure.reason);
     j_.contacts = std::move(failure.contacts);
   }
 
+  /// A solution at an improved answer; if it is far from the answer, others may be nearer.
+  void enclose_near(const std::vector<double>& start) {
+    auto found = enclose_solution(problem_, start, options_.enclosure);
+    auto* box = std::get_if<Enclosure>(&found);
+    if (box != nullptr && error_from(*box) <= contact_near) return take(std::move(*box));
+    if (box != nullptr) far_ = std::move(*box);
+  }
+
   /// Where no enclosure is found, at a border between modes: the solution itself.
-  bool solve_exactly() {
-    if (auto solution = solve_at_border(problem_, j_.x, effort_)) {
-      j_.exact = std::move(solution->x);
-      j_.undetermined = solution->undetermined;
-    } else if (is_complementarity(problem_) && problem_.size() <= 1000) {
-      std::vector<bool> active;
-      for (const double x : j_.x) active.push_back(x > 0);
-      const auto found = solve_lcp(problem_, std::move(active), effort_);
-      if (!found) return false;
-      for (std::size_t i = 0; i < found->x.size(); ++i) j_.exact.push_back(found->x.at(i));
-    } else {
-      return false;
-    }
+  bool solve_exactly(bool right) {
+    Effort little(beyond_verdict());
+    auto solution = exact_solution_near(problem_, j_.x, right || is_complementarity(problem_) ? effort_ : little);
+    if (!solution) return false;
+    j_.exact = std::move(solution->x);
+    j_.undetermined = solution->undetermined;
     j_.rho = distance_from(j_.exact, j_.x);
     return true;
   }
 
-  /// Where forces at the edge of their cones could be elsewhere.
-  void move_inside(bool right) {
-    Effort effort(right ? options_.effort : beyond_verdict());
-    const double near = right ? options_.tolerance : std::max(contact_near, 2 * j_.residual->backward_error());
-    auto box = enclose_inside(problem_, j_.x, near, options_.enclosure, effort);
+  /// Where forces at the edge of their cones could be elsewhere. `start` has the velocities, and the forces are to be
+  /// near the answer's.
+  void move_inside(const std::vector<double>& start, bool right) {
+    Effort effort(std::min(options_.effort, (right ? 100 : 10) * beyond_verdict()));
+    const bool improved = start != j_.x;
+    const double rough = std::max(contact_near, 2 * j_.residual->backward_error());
+    auto box = enclose_inside(problem_, start, right || improved ? options_.tolerance : rough, options_.enclosure,
+                              effort, improved ? j_.x : std::vector<double>());
     if (!box) return;
     j_.moved_inside = true;
     j_.eta = velocity_distance(problem_, *box, j_.x);
@@ -234,9 +237,9 @@ class ContactCase {
   }
 
   /// Where equations depend on each other up to rounding.
-  void follow() {
-    Effort effort(options_.effort);  // other searches may have left none
-    auto box = solve_along_path(problem_, j_.x, effort, answer_from_elsewhere);
+  void follow(const std::vector<double>& start) {
+    Effort effort(options_.refine ? options_.effort : std::min(options_.effort, 25 * beyond_verdict()));
+    auto box = solve_along_path(problem_, start, effort, answer_from_elsewhere);
     if (!box) return;
     j_.eta = velocity_distance(problem_, *box, j_.x);
     take(std::move(*box));
@@ -249,7 +252,8 @@ class ContactCase {
     extra("another solution in a linear mode", [&] { look_in_linear_modes(problem_, options_.effort / part, j_); });
     if (!j_.other_exact.empty() || !j_.enclosure || !j_.enclosure->pinned.empty()) return;
     if (j_.enclosure->proof || j_.enclosure->system.size() > options_.others_up_to) return;
-    extra("another solution", [&] { j_.other = another_solution(problem_, *j_.enclosure); });
+    extra("another solution",
+          [&] { j_.other = another_solution(problem_, *j_.enclosure, {.effort = 10 * beyond_verdict()}); });
   }
 
   const MixedProblem& problem_;
@@ -257,16 +261,8 @@ class ContactCase {
   const ContactJudgeOptions& options_;
   ContactJudgement& j_;
   Effort effort_;
+  std::optional<Enclosure> far_;  ///< a solution that is not near the answer
 };
-
-/// Whether the nearest solution may be near: where the law fails all around, it is not.
-bool may_be_near(const ContactJudgement& j, const ContactJudgeOptions& options) {
-  if (j.residual->backward_error() <= contact_near) return true;
-  if (options.within) return j.excluded() <= *options.within;
-  double largest = 0;
-  for (const double x : j.x) largest = std::max(largest, std::abs(x));
-  return j.exclusion && j.exclusion->radius <= 2 * contact_near * largest;
-}
 
 }  // namespace
 
@@ -287,7 +283,7 @@ ContactJudgement judge_contacts(const MixedProblem& problem, std::vector<double>
   }
   const std::vector<Rational> w = exact_rows(problem, judgement.x);
   judgement.residual = residual(problem, judgement.x, w);
-  judgement.velocity_error = velocity_error_of(problem, w, u);
+  judgement.velocity_error = slipproof::velocity_error(problem, w, u);
   if (problem.is_coulomb()) judgement.exclusion = exclusion(problem, judgement.x, w);
   const double backward = judgement.residual->backward_error();
   const double velocity_error = judgement.velocity_error / judgement.residual->scale;
@@ -295,7 +291,8 @@ ContactJudgement judge_contacts(const MixedProblem& problem, std::vector<double>
   ContactCase found(problem, u, options, judgement);
   const bool strong = !is_judged_by_residual(problem);
   const bool other_convex = !problem.is_coulomb() && is_convex(problem);  // then every answer has a certified distance
-  if (strong && (right || options.refine || other_convex || may_be_near(judgement, options))) found.look_near();
+  if (strong && (right || options.refine || other_convex || may_be_near(problem, judgement, w, options.within)))
+    found.look_near();
   if (options.all) found.find_all(std::move(tree));
   const bool known = judgement.has_solution();
   const bool near = known && (options.within ? judgement.rho <= *options.within : judgement.error <= contact_near);

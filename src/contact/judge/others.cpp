@@ -4,8 +4,12 @@
 
 #include "base/number/binary64.hpp"
 #include "contact/enclosure/residual.hpp"
+#include "contact/exact/exact_lcp.hpp"
+#include "contact/exact/exclusion.hpp"
 #include "contact/exact/linear_modes.hpp"
+#include "contact/judge/find/find.hpp"
 #include "contact/path/solve.hpp"
+#include "contact/ranges/forces_inside.hpp"
 
 namespace slipproof {
 
@@ -40,6 +44,35 @@ class KnownSolution {
 
 }  // namespace
 
+bool may_be_near(const MixedProblem& problem, const ContactJudgement& judgement, std::span<const Rational> w,
+                 std::optional<double> within) {
+  if (judgement.residual->backward_error() <= contact_near) return true;
+  if (within) return judgement.excluded() <= *within;
+  return problem.is_coulomb() && relative_exclusion(problem, judgement.x, w) <= 2 * contact_near;
+}
+
+std::vector<double> improved_answer(const MixedProblem& problem, const std::vector<double>& x,
+                                    const ContactJudgeOptions& options) {
+  constexpr std::size_t small = 200;
+  FindOptions found{.start = x, .elsewhere = false};
+  if (!options.refine) found.rounds = 1, found.newton = small;
+  return converged_answer(problem, found, options.tolerance).value_or(x);
+}
+
+std::optional<BorderSolution> exact_solution_near(const MixedProblem& problem, std::span<const double> x,
+                                                  Effort& effort) {
+  constexpr std::size_t largest_complementarity = 1000;
+  if (auto solution = solve_at_border(problem, x, effort)) return solution;
+  if (!is_complementarity(problem) || problem.size() > largest_complementarity) return std::nullopt;
+  std::vector<bool> active;
+  for (const double value : x) active.push_back(value > 0);
+  const auto found = solve_lcp(problem, std::move(active), effort);
+  if (!found) return std::nullopt;
+  BorderSolution solution{{}, 0};
+  for (std::size_t i = 0; i < found->x.size(); ++i) solution.x.push_back(found->x.at(i));
+  return solution;
+}
+
 void look_in_linear_modes(const MixedProblem& problem, Work allowed, ContactJudgement& judgement) {
   LinearSearch& search = judgement.linear_modes.emplace(LinearSearch{linear_modes(problem, Slides::none), false});
   const Work free = problem.free, components = problem.size() - free;
@@ -65,10 +98,11 @@ void look_in_linear_modes(const MixedProblem& problem, Work allowed, ContactJudg
 }
 
 std::optional<Enclosure> enclose_inside(const MixedProblem& problem, std::span<const double> x, double near,
-                                        const EnclosureOptions& options, Effort& effort) {
+                                        const EnclosureOptions& options, Effort& effort,
+                                        std::span<const double> toward) {
   constexpr double well = 1e-3;  // of the largest force
-  for (const double margin : {near / 8, well}) {
-    auto inside = forces_inside(problem, x, near, margin, effort);
+  for (const double margin : {toward.empty() ? near / 8 : well / 8, well}) {
+    auto inside = forces_inside(problem, x, near, margin, effort, toward);
     if (!inside) continue;
     if (auto box = enclose_in_mode(problem, inside->x, std::move(inside->mode), options)) return box;
   }

@@ -1,9 +1,24 @@
 // Solutions that are not near an answer, or not in all of its forces; and other laws.
 #pragma once
 
+#include "contact/exact/border.hpp"
 #include "contact/judge/judge.hpp"
 
 namespace slipproof {
+
+/// Whether a solution may be near an answer: where the law fails all around, it is not. `within` is what counts as
+/// near, in place of `contact_near`.
+bool may_be_near(const MixedProblem& problem, const ContactJudgement& judgement, std::span<const Rational> w,
+                 std::optional<double> within);
+
+/// An answer that is not right after sweeps over its contacts, if they lead to one that is; else as it is.
+std::vector<double> improved_answer(const MixedProblem& problem, const std::vector<double>& x,
+                                    const ContactJudgeOptions& options);
+
+/// A solution without rounding: at a border between linear modes, or of a complementarity problem. Nothing if none is
+/// found.
+std::optional<BorderSolution> exact_solution_near(const MixedProblem& problem, std::span<const double> x,
+                                                  Effort& effort);
 
 /// Looks in all modes whose equations are linear (exact/linear_modes.hpp) for a solution that is not the known one:
 /// `other_exact`. Where the known one leaves forces undetermined, only one with other velocities counts. Sets
@@ -12,10 +27,11 @@ namespace slipproof {
 void look_in_linear_modes(const MixedProblem& problem, Work allowed, ContactJudgement& judgement);
 
 /// Encloses a solution that has an answer's velocities, up to `near` of their size, and its forces moved inside of
-/// their cones (forces_inside()), by little if that suffices. Nothing if none was found. Requires Coulomb's law. Throws
-/// TooMuchWork.
+/// their cones (forces_inside()), by little if that suffices; near the forces of `toward`, if that is given. Nothing if
+/// none was found. Requires Coulomb's law. Throws TooMuchWork.
 std::optional<Enclosure> enclose_inside(const MixedProblem& problem, std::span<const double> x, double near,
-                                        const EnclosureOptions& options, Effort& effort);
+                                        const EnclosureOptions& options, Effort& effort,
+                                        std::span<const double> toward = {});
 
 /// The contacts whose forces are open: the enclosed solution, found along a path or inside of the cones, has the
 /// answer's velocities, and such a change of forces would usually move contacts far more. Empty where that is not so.

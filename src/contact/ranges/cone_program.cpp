@@ -23,11 +23,11 @@ void project_on_cone(Eigen::Ref<Eigen::VectorXd> x, double mu) {
 
 }  // namespace
 
-ConeProgram::ConeProgram(Eigen::MatrixXd N, Eigen::VectorXd start, std::vector<Cone> cones)
+ConeProgram::ConeProgram(Eigen::MatrixXd N, Eigen::VectorXd start, std::vector<ForceCone> cones)
     : N_(std::move(N)), start_(std::move(start)), cones_(std::move(cones)) {}
 
-void ConeProgram::project(Eigen::VectorXd& x, double margin) const {
-  for (const Cone& cone : cones_) {
+void project_on_cones(const std::vector<ForceCone>& cones, Eigen::VectorXd& x, double margin) {
+  for (const ForceCone& cone : cones) {
     x[cone.first] -= margin;
     if (cone.size == 1) {
       x[cone.first] = std::max(x[cone.first], 0.0);
@@ -38,32 +38,19 @@ void ConeProgram::project(Eigen::VectorXd& x, double margin) const {
   }
 }
 
-std::optional<Eigen::VectorXd> ConeProgram::inside(double margin, Effort& effort) const {
-  Eigen::VectorXd x = start_, s = start_, lambda = Eigen::VectorXd::Zero(start_.size());
-  for (int i = 0; i < most_steps; ++i) {
-    effort.spend(step());
-    s = x + lambda;
-    project(s, margin);
-    if ((x - s).lpNorm<Eigen::Infinity>() <= margin / 4) return x;
-    lambda += x - s;
-    x = start_ + N_ * (N_.transpose() * (s - lambda - start_));
-  }
-  return std::nullopt;
-}
-
 std::optional<Eigen::VectorXd> ConeProgram::multipliers(const Eigen::VectorXd& g, Effort& effort) const {
   const Eigen::VectorXd along = N_.transpose() * g;
   const double size = 1 + start_.lpNorm<1>();
   double rho = 1, best = std::numeric_limits<double>::infinity();
   Eigen::VectorXd x = start_, s = start_, before = start_, lambda = Eigen::VectorXd::Zero(start_.size());
   std::optional<Eigen::VectorXd> found;
-  project(s);
+  project_on_cones(cones_, s);
   for (int i = 1; i <= most_steps; ++i) {
     effort.spend(step());
     x = start_ + N_ * (N_.transpose() * (s - lambda - start_) + along / rho);
     before = s;
     s = x + lambda;
-    project(s);
+    project_on_cones(cones_, s);
     lambda += x - s;
     if (i % between_looks != 0) continue;
     if (x.lpNorm<1>() > far * size) break;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/number/effort.hpp"
-#include "contact/enclosure/mode_system.hpp"
+#include "contact/problem/mixed_problem.hpp"
 
 namespace slipproof {
 
@@ -34,18 +34,5 @@ struct OpenForces {
 std::optional<OpenForces> open_forces(const MixedProblem& problem, std::span<const double> x, double tolerance,
                                       Effort& effort);
 inline constexpr std::size_t largest_open_part = 800;
-
-/// A point near an answer, and the mode that the answer's velocities say: a contact that they do not move sticks.
-struct InsideForces {
-  std::vector<double> x;
-  ConeMode mode;
-};
-
-/// Moves the forces of an answer inside of what Coulomb's law allows at its velocities, along directions that change
-/// velocities by less than `tolerance` of their size: each r_N is `margin` times the largest force at least, and r_T as
-/// far from its limit. Nothing where there are no such forces, or none are found; nothing is proved. Parts have up to
-/// `largest_open_part` rows. `x` is finite. Throws TooMuchWork.
-std::optional<InsideForces> forces_inside(const MixedProblem& problem, std::span<const double> x, double tolerance,
-                                          double margin, Effort& effort);
 
 }  // namespace slipproof

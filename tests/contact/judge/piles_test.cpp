@@ -9,6 +9,7 @@
 #include "contact/judge/certificate.hpp"
 #include "contact/judge/find/find.hpp"
 #include "contact/judge/judge.hpp"
+#include "contact/ranges/forces_inside.hpp"
 #include "proofs/check_contact/record.hpp"
 
 using namespace slipproof;
@@ -131,6 +132,47 @@ TEST_CASE("a tall stack is certified, with more dependent equations than are fou
   REQUIRE(found.enclosure);
   CHECK(found.enclosure->dropped.size() == boxes);
   CHECK(is_accepted(stack.problem(), found));
+}
+
+TEST_CASE("forces of more than 800 rows are moved inside of their cones, at the same velocities") {
+  const Stack stack(130, 2, 0);
+  const MixedProblem& p = stack.problem();
+  REQUIRE(p.size() > 800);
+  const std::vector<double> answer = solved(p);
+  const double largest = *std::ranges::max_element(answer);
+  constexpr double margin = 1e-3;
+  Effort effort(3'000'000'000);
+  const auto inside = forces_inside(p, answer, contact_tolerance, margin, effort);
+  REQUIRE(inside);
+  for (std::size_t k = 0; k < p.contacts(); ++k) {
+    const std::size_t n = p.normal(k);
+    CHECK(inside->x[n] > margin / 2 * largest);
+    CHECK(std::abs(inside->x[n + 1]) < p.mu[k] * inside->x[n]);
+    CHECK(inside->mode[k] == ConeState::stick);
+  }
+  CHECK(residual(p, inside->x, exact_rows(p, inside->x)).backward_error() <= 1e-4);
+}
+
+TEST_CASE("an answer that is 9e-3 of the largest force away from a solution has not converged") {
+  for (const auto& [boxes, dimension] : {std::pair(1U, 3U), {2U, 3U}, {4U, 3U}, {8U, 2U}}) {
+    const Stack stack(boxes, dimension, dimension == 3 ? 1 : 0);
+    std::vector<double> answer = solved(stack.problem());
+    const double largest =
+        *std::max_element(answer.begin() + static_cast<std::ptrdiff_t>(stack.problem().free), answer.end());
+    for (std::size_t i = stack.problem().free; i < answer.size(); ++i) {
+      answer[i] += (i * i % 7 < 3 ? 9e-3 : -9e-3) * largest;
+    }
+    std::fill_n(answer.begin(), stack.problem().free, 0.0);
+    CAPTURE(boxes);
+    for (const bool refine : {false, true}) {
+      ContactJudgeOptions options;
+      options.refine = refine;
+      const ContactJudgement found = judge_contacts(stack.problem(), answer, {}, options);
+      CHECK(name(found.verdict) == "not converged");
+      CHECK(found.error <= contact_near);
+      CHECK(is_accepted(stack.problem(), found));
+    }
+  }
 }
 
 TEST_CASE("a wrong answer to a stack is as wrong with little effort") {

@@ -14,8 +14,6 @@ namespace slipproof {
 /// is halved while the equations get worse. Cubic in the size.
 class ContactNewton {
  public:
-  static constexpr std::size_t most = 1000;  ///< unknowns
-
   /// The problem has no free unknowns, has Coulomb's law, and must outlive this.
   explicit ContactNewton(const MixedProblem& problem);
 

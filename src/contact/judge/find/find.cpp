@@ -129,10 +129,10 @@ std::vector<double> pressed_by(const MixedProblem& problem, double part) {
 /// One part, from other forces where it does not converge: where these are redundant, sweeps may creep along them.
 std::vector<double> swept_from_anywhere(const MixedProblem& part, std::vector<double> r, const FindOptions& options) {
   constexpr std::size_t few = 100;  // contacts
-  SweptForces first = swept(part, r, options.rounds);
+  SweptForces first = swept(part, r, options.rounds, options.newton);
   if (first.agreed || !options.elsewhere || part.contacts() > few) return std::move(first.r);
   for (const double force : pressed) {
-    SweptForces next = swept(part, pressed_by(part, force), options.rounds);
+    SweptForces next = swept(part, pressed_by(part, force), options.rounds, options.newton);
     if (next.agreed) return std::move(next.r);
   }
   return std::move(first.r);
@@ -141,7 +141,7 @@ std::vector<double> swept_from_anywhere(const MixedProblem& part, std::vector<do
 /// Each part for itself: parts converge at their own pace, and Newton's method is cubic in their sizes.
 std::vector<double> swept_by_parts(const MixedProblem& contacts, std::vector<double> r, const FindOptions& options) {
   const std::vector<ContactPart> parts = parts_of(contacts);
-  if (contacts.law.kind == FrictionLaw::fixed) return swept(contacts, r, options.rounds).r;
+  if (contacts.law.kind == FrictionLaw::fixed) return swept(contacts, r, options.rounds, options.newton).r;
   if (parts.size() == 1) return swept_from_anywhere(contacts, std::move(r), options);
   for (const ContactPart& part : parts) {
     const std::vector<std::size_t> rows = rows_of(contacts, part);
@@ -191,12 +191,13 @@ std::vector<double> answer_from_elsewhere(const MixedProblem& problem, int numbe
   return approximate_solution(problem, {.start = pressed_by(problem, pressed[static_cast<std::size_t>(number)])});
 }
 
-bool comes_near(const MixedProblem& problem, std::span<const double> start, double tolerance) {
-  const std::vector<double> x =
-      approximate_solution(problem, {.start = {start.begin(), start.end()}, .elsewhere = false});
+std::optional<std::vector<double>> converged_answer(const MixedProblem& problem, const FindOptions& options,
+                                                    double tolerance) {
+  std::vector<double> x = approximate_solution(problem, options);
   const bool finite = std::ranges::all_of(x, [](double value) { return std::isfinite(value); });
-  return x.size() == problem.size() && finite &&
-         residual(problem, x, exact_rows(problem, x)).backward_error() <= tolerance;
+  if (x.size() != problem.size() || !finite) return std::nullopt;
+  if (residual(problem, x, exact_rows(problem, x)).backward_error() > tolerance) return std::nullopt;
+  return x;
 }
 
 std::optional<Enclosure> another_solution(const MixedProblem& problem, const Enclosure& first,
@@ -212,13 +213,16 @@ std::optional<Enclosure> another_solution(const MixedProblem& problem, const Enc
   std::vector<double> none = x;
   std::fill(none.begin() + static_cast<std::ptrdiff_t>(problem.free), none.end(), 0);
   if (auto found = from(none)) return found;
-  for (std::size_t k = 0; k < std::min(problem.contacts(), options.neighbours); ++k) {
+  const Work n = first.system.size(), of_one = 4 * times(n * n, n);
+  const Work most =
+      std::min<Work>({problem.contacts(), options.neighbours, options.effort / std::max<Work>(of_one, 1)});
+  for (std::size_t k = 0; k < most; ++k) {
     std::vector<double> start = x;
-    const std::size_t n = problem.normal(k);
-    if (x[n] > 0) {
-      for (std::size_t i = 0; i < problem.dimension; ++i) start[n + i] = 0;
+    const std::size_t normal = problem.normal(k);
+    if (x[normal] > 0) {
+      for (std::size_t i = 0; i < problem.dimension; ++i) start[normal + i] = 0;
     } else {  // pressed as hard as would stop what is leaving
-      start[n] = 2 * std::abs(exact_row(problem, n, x).to_double()) / scales[k] + 1e-6;
+      start[normal] = 2 * std::abs(exact_row(problem, normal, x).to_double()) / scales[k] + 1e-6;
     }
     if (auto found = from(std::move(start))) return found;
   }

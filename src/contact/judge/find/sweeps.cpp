@@ -281,9 +281,10 @@ struct Round {
 };
 
 template <int size>
-SweptForces swept_in(const MixedProblem& problem, const std::vector<double>& start, int rounds) {
+SweptForces swept_in(const MixedProblem& problem, const std::vector<double>& start, int rounds,
+                     std::size_t most_for_newton) {
   const Sweeps<size> sweeps(problem);
-  const bool has_newton = problem.is_coulomb() && problem.size() <= ContactNewton::most;
+  const bool has_newton = problem.is_coulomb() && problem.size() <= most_for_newton;
   std::optional<ContactNewton> newton;  // made where sweeps alone do not suffice
   Eigen::VectorXd r = Eigen::Map<const Eigen::VectorXd>(start.data(), static_cast<Eigen::Index>(start.size()));
   constexpr int most_attempts = 4;
@@ -302,14 +303,14 @@ SweptForces swept_in(const MixedProblem& problem, const std::vector<double>& sta
 
 }  // namespace
 
-SweptForces swept(const MixedProblem& problem, const std::vector<double>& r, int rounds) {
+SweptForces swept(const MixedProblem& problem, const std::vector<double>& r, int rounds, std::size_t newton) {
   switch (problem.dimension) {
     case 1:
-      return swept_in<1>(problem, r, rounds);
+      return swept_in<1>(problem, r, rounds, newton);
     case 2:
-      return swept_in<2>(problem, r, rounds);
+      return swept_in<2>(problem, r, rounds, newton);
     default:
-      return swept_in<3>(problem, r, rounds);
+      return swept_in<3>(problem, r, rounds, newton);
   }
 }
 

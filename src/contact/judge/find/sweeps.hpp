@@ -12,7 +12,7 @@ namespace slipproof {
 /// is a root in one angle), by iteration under the associated law and fixed bounds. Sweeps converge slowly where forces
 /// are redundant, so a point is extrapolated from the last few of them (Anderson's acceleration), which is begun again
 /// where sweeps alone would do better; and after each of the first rounds of 400 sweeps Newton's method is tried
-/// (contact_newton.hpp). Nothing is promised of the result, which may be not finite.
+/// (contact_newton.hpp), for up to `newton` components. Nothing is promised of the result, which may be not finite.
 ///
 /// `problem` has no free unknowns; `r` is the start. Ends after so many rounds, or when all contacts agree up to
 /// rounding. A sweep is linear in the entries of A.
@@ -20,6 +20,6 @@ struct SweptForces {
   std::vector<double> r;
   bool agreed = false;
 };
-SweptForces swept(const MixedProblem& problem, const std::vector<double>& r, int rounds);
+SweptForces swept(const MixedProblem& problem, const std::vector<double>& r, int rounds, std::size_t newton);
 
 }  // namespace slipproof
