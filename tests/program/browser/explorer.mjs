@@ -133,20 +133,25 @@ test('a click into the diagram takes its point', async () => {
   const plots = page.locator('#map [data-plot]');
   for (let i = 0; i < await plots.count(); ++i) {
     const before = await page.locator('#scene-text').inputValue();
-    await plots.nth(i).scrollIntoViewIfNeeded();
     const [x, y] = await plots.nth(i).evaluate(plot => {
       const [left, top, width, height] = plot.dataset.plot.split(' ').map(Number);
-      const point = new DOMPoint(left + 0.3 * width, top + 0.4 * height).matrixTransform(plot.getScreenCTM());
-      return [point.x, point.y];
+      const point = () => new DOMPoint(left + 0.3 * width, top + 0.4 * height).matrixTransform(plot.getScreenCTM());
+      scrollBy(0, point().y - innerHeight / 2);
+      return [point().x, point().y];
     });
     await page.mouse.click(x, y);
     await page.waitForFunction(text => document.querySelector('#scene-text').value !== text, before);
     await sameAsProgram(page);
-    const marks = await plots.nth(i).locator(':scope > g > circle').evaluateAll(all => all.map(one => {
-      const box = one.getBoundingClientRect();
-      return [box.x + box.width / 2, box.y + box.height / 2];
-    }));
-    assert.ok(marks.some(mark => Math.hypot(mark[0] - x, mark[1] - y) < 5), `the mark of plot ${i} is at ${marks}, not ${x}, ${y}`);
+    // What is above the plot may have another height now.
+    const off = await plots.nth(i).evaluate(plot => {
+      const [left, top, width, height] = plot.dataset.plot.split(' ').map(Number);
+      const point = new DOMPoint(left + 0.3 * width, top + 0.4 * height).matrixTransform(plot.getScreenCTM());
+      return Math.min(...[...plot.querySelectorAll(':scope > g > circle')].map(one => {
+        const box = one.getBoundingClientRect();
+        return Math.hypot(box.x + box.width / 2 - point.x, box.y + box.height / 2 - point.y);
+      }));
+    });
+    assert.ok(off < 5, `the mark of plot ${i} is ${off} pixels off`);
   }
 });
 
@@ -156,10 +161,10 @@ test('no motion, a continuum, every load and values of a thousand digits are sho
   assert.equal(await rod.locator('#pictures figure').count(), 1);
   assert.match(await rod.locator('#numbers').textContent(), /No mode/);
   const truck = await open({ file: 'truck.html' });
-  assert.match(await truck.locator('#count').textContent(), /^No single motion, and 2 continua at T = 9000: /);
-  assert.equal(await truck.locator('#pictures figure').count(), 2);
+  assert.match(await truck.locator('#count').textContent(), /^3 motions, and 2 continua at T = 9000: /);
+  assert.equal(await truck.locator('#pictures figure').count(), 5);
   const { continua } = await solved(truck);
-  const line = await truck.locator('#numbers tr', { has: truck.getByRole('rowheader', { name: 'ax', exact: true }) })
+  const line = await truck.locator('#numbers table:last-child tr', { has: truck.getByRole('rowheader', { name: 'ax', exact: true }) })
     .locator('td').allTextContents();
   assert.deepEqual(line, continua.map(({ ranges: { ax: [from, to] } }) => `[${from}, ${to}]`));
   const page = await open();
