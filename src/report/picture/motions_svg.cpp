@@ -13,10 +13,25 @@ namespace slipproof {
 
 namespace {
 
-/// `F = 3 N, 2 motions`.
+/// The coefficient of friction, if all contacts have the same parameter: `f = 4`.
+std::string friction_text(const MechanismScene& scene, const NumberWords& numbers) {
+  const Mechanism& mechanism = scene.mechanism;
+  const auto is_of_all = [&](const MechanismParameter& parameter) {
+    return std::ranges::all_of(mechanism.contacts, [&](const MechanismContact& contact) {
+      return !contact.frictionless() && is_symbol(contact.kinetic_friction.expression, parameter.symbol);
+    });
+  };
+  const auto found = std::ranges::find_if(mechanism.parameters, is_of_all);
+  if (found == mechanism.parameters.end() || mechanism.contacts.empty()) return {};
+  const auto index = static_cast<std::size_t>(found - mechanism.parameters.begin());
+  return found->symbol + " " + numbers.value(scene.values.parameters[index]);
+}
+
+/// `F = 3 N, f = 4, 2 motions`.
 std::string below_title(const MechanismScene& scene, const MotionsAtLoad& found, const NumberWords& numbers) {
   std::vector<std::string> parts;
   if (scene.mechanism.load && scene.load) parts.push_back(load_text(scene, numbers));
+  if (std::string friction = friction_text(scene, numbers); !friction.empty()) parts.push_back(std::move(friction));
   parts.push_back(found.motions.empty() && found.continua.empty() ? "no motion" : counted_motions(found));
   return fmt::format("{}", fmt::join(parts, ", "));
 }

@@ -112,7 +112,13 @@ void MechanismArrows::contact(const MechanismGeometry::Contact& contact) {
   const ElementKind::Start start = in_.scene.values.starts[contact.index];
   if (start == ElementKind::Start::slides_forward || start == ElementKind::Start::slides_backward) {
     description += ", slides";
-    sliding(contact);
+    sliding(contact, start == ElementKind::Start::slides_forward);
+  } else if (const Rational slip = slip_of(contact.index); !slip.is_zero()) {
+    const std::string value = in_.numbers.value(slip);
+    description += ", " + given.slip_name + " " + value;
+    if (!has_direction(contact)) return described_.push_back(std::move(description));
+    const auto [from, to] = sliding(contact, slip > 0);
+    if (in_.names) labels_.symbol({to, halfway(from, to)}, given.slip_name, value);
   }
   described_.push_back(std::move(description));
 }
@@ -141,14 +147,22 @@ void MechanismArrows::force(Point at, std::size_t unknown, Point direction, bool
   if (in_.names) labels_.symbol({pushes ? start : end, halfway(start, end)}, symbol_of(unknown), std::move(value));
 }
 
+/// The acceleration with which a contact begins to slip; 0 of one that does not.
+Rational MechanismArrows::slip_of(std::size_t contact) const {
+  if (in_.motion == nullptr || !in_.scene.mechanism.contacts[contact].slip) return 0;
+  const std::string state = common_state(*in_.motion, contact);
+  if (state != name(ElementState::slip_forward) && state != name(ElementState::slip_backward)) return 0;
+  return in_.motion->accelerations[gap_index(in_.scene.mechanism, contact) + 1];
+}
+
 /// An arrow beside the contact, on the side of the body that slides.
-void MechanismArrows::sliding(const MechanismGeometry::Contact& contact) {
-  const bool forward = in_.scene.values.starts[contact.index] == ElementKind::Start::slides_forward;
+std::pair<Point, Point> MechanismArrows::sliding(const MechanismGeometry::Contact& contact, bool forward) {
   const double way = forward ? sliding_length : -sliding_length;
   const Point from = moved(moved(in_.view.pixel(contact.at), contact.normal, 9), contact.along, -way / 2);
   const Point to = moved(from, contact.along, way);
   add_arrow(svg_, from, to[0] - from[0], to[1] - from[1], "moves");
   see(from, to);
+  return {from, to};
 }
 
 /// Draws it beside an arrow of a force on the same line, where one would hide the other. Returns where it is.

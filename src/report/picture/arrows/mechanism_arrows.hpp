@@ -55,7 +55,8 @@ class MechanismArrows {
  private:
   void contact(const MechanismGeometry::Contact& contact);
   void force(Point at, std::size_t unknown, Point direction, bool pushes, std::string_view css);
-  void sliding(const MechanismGeometry::Contact& contact);
+  std::pair<Point, Point> sliding(const MechanismGeometry::Contact& contact, bool forward);
+  Rational slip_of(std::size_t contact) const;
   void shape(const MechanismGeometry::Outline& outline);
   void push(const MechanismGeometry::Push& push);
   void acceleration(const MechanismGeometry::Acceleration& acceleration);
