@@ -233,7 +233,7 @@ TEST_CASE("the picture of the README is what draw makes of its scene, with the t
   const auto picture = run({"draw", folder + ".toml", "--motion", "all"});
   CHECK(picture.exit_code == 0);
   CHECK(picture.out == read_file(folder + ".svg"));
-  for (const char* mode : {">1: stick/stick<", ">2: stick/slip+<", ">3: stick/lift<", "F = 7/4 N, 3 motions"}) {
+  for (const char* mode : {">1: stick/stick<", ">2: stick/slip+<", ">3: stick/lift<", "F = 7/4 N, f = 4, 3 motions"}) {
     CAPTURE(mode);
     CHECK(picture.out.find(mode) != std::string::npos);
   }
