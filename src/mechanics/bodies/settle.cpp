@@ -136,14 +136,21 @@ class Settlement {
     mistakes_.add(place, text + where(expression, point));
   }
 
-  /// What is not known to hold everywhere becomes a condition of the domain.
+  /// What is not known to hold everywhere becomes a condition of the domain, once. Others of that name are numbered.
   void assume(const std::string& name, const Expression& value, Relation relation, Place place) {
     const bodies_in_motion::Signs signs = bodies_in_motion::sure_signs(original_, value);
     if (relation == Relation::greater && !signs.negative && !signs.zero) return;
     if (relation == Relation::greater_equal && !signs.negative) return;
     if (relation == Relation::not_equal && !signs.zero) return;
     if (relation == Relation::less && !signs.positive && !signs.zero) return;
-    mechanism_.assume.push_back({name, {make_comparison({value, zero_literal()}, {relation}), PlacedText("", place)}});
+    const Expression condition = make_comparison({value, zero_literal()}, {relation});
+    const auto is_there = [this](auto&& what) { return std::ranges::any_of(mechanism_.assume, what); };
+    const std::string text = to_string(condition);
+    if (is_there([&](const auto& one) { return to_string(one.condition.expression) == text; })) return;
+    std::string own = name;
+    for (int i = 2; is_there([&](const auto& one) { return one.name == own; }); ++i)
+      own = name + "-" + std::to_string(i);
+    mechanism_.assume.push_back({own, {condition, PlacedText("", place)}});
   }
 
   /// -1, 0 or +1 at all points; nothing if it depends on the point.

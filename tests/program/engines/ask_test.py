@@ -170,7 +170,7 @@ class Scenes(unittest.TestCase):
         for name in sorted(name for name, scene in self.scenes.items() if scene.in_space)[::EVERY]:
             scene = self.scenes[name]
             exact = scene.bodies()
-            if exact["joints"]:
+            if exact["joints"] or "impact" in scene.expected:
                 continue
             built = WorldInSpace(exact).built()
             for motion in scene.expected["motions"]:
