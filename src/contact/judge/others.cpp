@@ -100,11 +100,14 @@ void look_in_linear_modes(const MixedProblem& problem, Work allowed, ContactJudg
 std::optional<Enclosure> enclose_inside(const MixedProblem& problem, std::span<const double> x, double near,
                                         const EnclosureOptions& options, Effort& effort,
                                         std::span<const double> toward) {
-  constexpr double well = 1e-3;  // of the largest force
+  constexpr double well = 1e-3;                // of the largest force
+  constexpr std::size_t largest_dense = 1000;  // an inverse of more would take longer than anything else
+  EnclosureOptions own = options;
+  own.largest_block = std::min(own.largest_block, largest_dense);
   for (const double margin : {toward.empty() ? near / 8 : well / 8, well}) {
     auto inside = forces_inside(problem, x, near, margin, effort, toward);
     if (!inside) continue;
-    if (auto box = enclose_in_mode(problem, inside->x, std::move(inside->mode), options)) return box;
+    if (auto box = enclose_in_mode(problem, inside->x, std::move(inside->mode), own)) return box;
   }
   return std::nullopt;
 }
