@@ -136,7 +136,8 @@ class Settlement {
     mistakes_.add(place, text + where(expression, point));
   }
 
-  /// What is not known to hold everywhere becomes a condition of the domain, once. Others of that name are numbered.
+  /// What is not known to hold everywhere becomes a condition of the domain, once under its name. Others of that name
+  /// are numbered.
   void assume(const std::string& name, const Expression& value, Relation relation, Place place) {
     const bodies_in_motion::Signs signs = bodies_in_motion::sure_signs(original_, value);
     if (relation == Relation::greater && !signs.negative && !signs.zero) return;
@@ -144,12 +145,14 @@ class Settlement {
     if (relation == Relation::not_equal && !signs.zero) return;
     if (relation == Relation::less && !signs.positive && !signs.zero) return;
     const Expression condition = make_comparison({value, zero_literal()}, {relation});
-    const auto is_there = [this](auto&& what) { return std::ranges::any_of(mechanism_.assume, what); };
     const std::string text = to_string(condition);
-    if (is_there([&](const auto& one) { return to_string(one.condition.expression) == text; })) return;
     std::string own = name;
-    for (int i = 2; is_there([&](const auto& one) { return one.name == own; }); ++i)
+    for (int i = 2;; ++i) {
+      const auto same = std::ranges::find(mechanism_.assume, own, &MechanismCondition::name);
+      if (same == mechanism_.assume.end()) break;
+      if (to_string(same->condition.expression) == text) return;
       own = name + "-" + std::to_string(i);
+    }
     mechanism_.assume.push_back({own, {condition, PlacedText("", place)}});
   }
 
