@@ -13,7 +13,7 @@ namespace {
 
 using meaning::Says;
 
-constexpr std::uint64_t quick_pairs = test::quick(300, 60);
+constexpr std::uint64_t quick_pairs = test::quick(120, 60);
 
 /// How often something was proved without samples.
 struct Settled {

@@ -14,7 +14,7 @@ namespace {
 using meaning::Says;
 using test::Comparison;
 
-constexpr std::uint64_t quick = test::quick(500, 80);
+constexpr std::uint64_t quick = test::quick(200, 80);
 
 void compare_judgements(bool mechanisms, std::uint64_t seed) {
   Comparison comparison(meaning::RandomClaims(seed, mechanisms), test::judged_otherwise);

@@ -12,6 +12,7 @@
 #include "claims/reading/read_claims_file.hpp"
 #include "proofs/check/files.hpp"
 #include "proofs/search/prove_files.hpp"
+#include "support/how_many.hpp"
 #include "support/run_program.hpp"
 
 using slipproof::test::read_file;
@@ -34,9 +35,11 @@ std::vector<std::filesystem::path> folders() {
 }  // namespace
 
 TEST_CASE("every claim of every paper has the verdict that its file expects, and a page") {
+  // Lines through the parameters take ten times as long as all the rest.
+  const std::string lines = std::to_string(slipproof::test::how_many("SLIPPROOF_PAPERS_LINES", 0));
   const TemporaryFolder folder;
   const auto outcome =
-      run({"verify", papers, "--json", "--samples", "200", "--lines", "1", "--report", folder.path() / "pages"});
+      run({"verify", papers, "--json", "--samples", "200", "--lines", lines, "--report", folder.path() / "pages"});
   CHECK(outcome.exit_code == 0);
   const Json document = Json::parse(outcome.out);
   CHECK(document["schema"] == "slipproof/papers/1");

@@ -19,7 +19,7 @@ const std::string shipped = SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin/claim
 }  // namespace
 
 TEST_CASE("the shipped paper is the default; every verdict as expected exits with 0") {
-  const auto json = run({"verify", "--samples", "120", "--only", "A5", "--json"});
+  const auto json = run({"verify", "--samples", "120", "--lines", "0", "--only", "A5", "--json"});
   CHECK(json.exit_code == 0);
   CHECK(json.err.empty());  // no progress bar where there is no terminal
   const Json document = Json::parse(json.out);
@@ -44,9 +44,11 @@ TEST_CASE("the shipped paper is the default; every verdict as expected exits wit
     CHECK(Json::parse(solved.out)["motions"] == claim["counterexample"]["motions"]);
   }
   CHECK(found);
-  CHECK(run({"verify", "--samples", "120", "--only", "A5", "--json", "--threads", "1"}).out == json.out);
-  CHECK(run({"verify", "--samples", "120", "--only", "A5", "--json", "--threads", "64", shipped}).out == json.out);
-  CHECK(last_line(run({"verify", "--samples", "120", "--only", "A5"}).out).starts_with("s VERIFIED "));
+  CHECK(run({"verify", "--samples", "120", "--lines", "0", "--only", "A5", "--json", "--threads", "1"}).out ==
+        json.out);
+  CHECK(run({"verify", "--samples", "120", "--lines", "0", "--only", "A5", "--json", "--threads", "64", shipped}).out ==
+        json.out);
+  CHECK(last_line(run({"verify", "--samples", "120", "--lines", "0", "--only", "A5"}).out).starts_with("s VERIFIED "));
 }
 
 TEST_CASE("an unexpected refutation exits with 1, an undecided claim with 4") {

@@ -47,7 +47,7 @@ BicycleColumns usual() {
 
 TEST_CASE("bicycles of every population have the modes of their reduced equations, at ends of intervals too") {
   RandomBicycles random(7);
-  const std::size_t count = test::how_many<std::size_t>("SLIPPROOF_BATCH_BICYCLES", 60);
+  const std::size_t count = test::how_many<std::size_t>("SLIPPROOF_BATCH_BICYCLES", 25);
   std::array<Gathered, 4> groups;
   for (std::size_t i = 0; i < count; ++i) {
     for (int population = 0; population < population_count; ++population) {

@@ -21,7 +21,7 @@ using namespace slipproof;
 namespace {
 
 std::size_t load_count() {
-  return test::how_many<std::size_t>("SLIPPROOF_RANDOM_LOADS", 6000);
+  return test::how_many<std::size_t>("SLIPPROOF_RANDOM_LOADS", 2500);
 }
 
 double between(Dice& dice, double low, double high) {

@@ -20,7 +20,7 @@ std::string second_answer(const std::string& statement, const std::string& proof
 }  // namespace
 
 TEST_CASE("the second reading confirms the shipped certificates") {
-  const auto every = slipproof::test::how_many<std::size_t>("SLIPPROOF_SECOND_READING_EVERY", 5);
+  const auto every = slipproof::test::how_many<std::size_t>("SLIPPROOF_SECOND_READING_EVERY", 15);
   const auto certificates = slipproof::check::certificates_in(kSecondProofs);
   CHECK(certificates.size() > 100 * 5);
   for (std::size_t i = 0; i < certificates.size(); i += every) {

@@ -246,7 +246,7 @@ TEST_CASE("the prover and the checker read the same texts, and refuse the same")
 }
 
 TEST_CASE("the prover takes for a statement what the checker takes for one") {
-  constexpr int rounds = test::quick(30, 5);
+  constexpr int rounds = test::quick(10, 5);
   std::mt19937_64 random(20261121);
   int read = 0, refused = 0;
   for (const auto& file : statements_in(test::shipped_folder)) {

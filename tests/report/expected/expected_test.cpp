@@ -194,7 +194,7 @@ TEST_CASE("a scene says its question, who asked it, and its threshold, and is wr
 }
 
 TEST_CASE("the shipped expected answers are found again, byte for byte") {
-  const auto every = static_cast<std::size_t>(test::how_many("SLIPPROOF_EXPECTED_EVERY", 10));
+  const auto every = static_cast<std::size_t>(test::how_many("SLIPPROOF_EXPECTED_EVERY", 20));
   std::set<std::string> scenes, answers;
   const auto collect = [](const std::string& folder, const std::string& extension, std::set<std::string>& names) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
