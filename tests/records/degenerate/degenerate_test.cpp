@@ -36,7 +36,7 @@ const Strings refusing_words{"wrong",       "inaccurate", "not converged", "no s
                              "eps-solution"};
 
 std::size_t problems() {
-  return how_many<std::size_t>("SLIPPROOF_DEGENERATE", quick(800, 300));
+  return how_many<std::size_t>("SLIPPROOF_DEGENERATE", quick(800, 80));
 }
 
 bool finite(const RandomCase& random) {
