@@ -67,6 +67,14 @@ struct Friction {
   std::string force;
 };
 
+/// A whole shape of the one body on the floor: a box or a sphere, in the axes of the scene from the centre of mass.
+struct Shape {
+  Vector box{};  ///< its sides; 0 of a sphere
+  double radius = 0;
+  Vector at{};
+  Quaternion turn{1, 0, 0, 0};
+};
+
 struct Question {
   bool in_space = false;
   Vector gravity{};
@@ -76,8 +84,9 @@ struct Question {
   std::vector<Contact> contacts{};
   std::vector<Joint> joints{};
   std::vector<Friction> friction{};
-  bool impact = false;  ///< contacts approach: asks for velocities after the step and impulses
-  bool drifts = false;  ///< asks how far bodies move that should rest, not for an acceleration
+  std::vector<Shape> shapes{};  ///< empty: the contacts are those of the scene
+  bool impact = false;          ///< contacts approach: asks for velocities after the step and impulses
+  bool drifts = false;          ///< asks how far bodies move that should rest, not for an acceleration
 
   /// For engines that find contacts themselves: a disc of the contact's own radius, or a small one, touches a square of
   /// half the width `half` in the middle of its upper side.
@@ -200,6 +209,13 @@ inline Joint read_joint(const Json& given) {
   return joint;
 }
 
+inline Shape read_shape(const Json& given) {
+  if (given.contains("hull")) throw Refused("the adapter has no hulls");
+  Shape shape{{}, given.value("sphere", 0.0), vector(given["at"]), given["turn"]};
+  if (given.contains("box")) shape.box = vector(given["box"]);
+  return shape;
+}
+
 inline Question read_question(const Json& line) {
   const Json &ask = line.at("ask"), &world = ask.at("world");
   Question q{world["gravity"].size() == 3, vector(world["gravity"]), world["size"], ask["step"]};
@@ -208,6 +224,7 @@ inline Question read_question(const Json& line) {
   if (!ask["iterations"].is_null()) q.iterations = ask["iterations"];
   for (const Json& one : world["bodies"]) q.bodies.push_back(read_body(one));
   for (const Json& one : world["contacts"]) q.contacts.push_back(read_contact(one));
+  for (const Json& one : world.value("shapes", Json::array())) q.shapes.push_back(read_shape(one));
   for (const Json& one : world["joints"]) q.joints.push_back(read_joint(one));
   for (const Json& one : world["friction"])
     q.friction.push_back({one["first"], one["second"], one["limit"], one["force"]});

@@ -3,7 +3,8 @@
 // pushes is added to the velocities before the step: Bullet's friction does not see a couple that is applied in the
 // same step. With the argument `applied` it is applied as force and couple, as programs do. With `taken-back` the
 // friction of contacts whose normal impulse fell to 0 is taken back after each sweep, which Bullet does not do: a test
-// of whose mistake it is. With `two` contacts have two directions of friction, not one as by default.
+// of whose mistake it is. With `two` contacts have two directions of friction, not one as by default. With
+// `shapes` contacts are those that Bullet finds between the whole shapes of a body and the floor.
 #include <btBulletDynamicsCommon.h>
 
 #include <memory>
@@ -21,11 +22,14 @@ Vector vector_of(const btVector3& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-/// A world whose contacts are given.
+/// A world whose contacts are given, unless it has whole shapes.
 class GivenContacts : public btDiscreteDynamicsWorld {
  public:
   using btDiscreteDynamicsWorld::btDiscreteDynamicsWorld;
-  void performDiscreteCollisionDetection() override {}
+  void performDiscreteCollisionDetection() override {
+    if (finds) btDiscreteDynamicsWorld::performDiscreteCollisionDetection();
+  }
+  bool finds = false;
 };
 
 /// Sweeps after which no contact has friction without a normal impulse.
@@ -57,11 +61,14 @@ class Scene {
         applied_(applied),
         two_directions_(two_directions),
         solver_(taken_back ? std::make_unique<TakingBack>() : std::make_unique<btSequentialImpulseConstraintSolver>()) {
+    world_.finds = !q.shapes.empty();
     world_.setGravity(applied ? vec(q.gravity) : btVector3(0, 0, 0));
     for (const Body& body : q.bodies) add(body);
     for (const Joint& joint : q.joints) add(joint);
     for (const Friction& brake : q.friction) add(brake);
-    for (const Contact& contact : q.contacts) add(contact);
+    for (const Contact& contact : q.contacts) {
+      if (!world_.finds) add(contact);
+    }
   }
   ~Scene() {
     for (auto& joint : joints_) world_.removeConstraint(joint.get());
@@ -86,7 +93,8 @@ class Scene {
         answer.velocity.push_back({v.x(), v.y(), w.z()});
       }
     }
-    for (std::size_t i = 0; i < q_.contacts.size(); ++i) {
+    answer.tells_forces = !world_.finds;
+    for (std::size_t i = 0; i < manifolds_.size(); ++i) {
       const btManifoldPoint& point = manifolds_[i]->getContactPoint(0);
       const btVector3 friction = point.m_appliedImpulseLateral1 * point.m_lateralFrictionDir1 +
                                  point.m_appliedImpulseLateral2 * point.m_lateralFrictionDir2;
@@ -102,11 +110,38 @@ class Scene {
   }
 
  private:
+  /// A sphere that touches nothing; or the floor, or the whole shapes of the body on it. The floor is a box, which
+  /// it overlaps by a little: of a box on a plane Bullet finds one corner in each step.
+  btCollisionShape* shape_of(const Body& body) {
+    if (!world_.finds) return &shape_;
+    if (body.is_ground()) return &floor_;
+    const Quaternion& t = body.turn;
+    const btTransform back = btTransform(btQuaternion(t[1], t[2], t[3], t[0])).inverse();
+    for (const Shape& shape : q_.shapes) {
+      const Quaternion& own = shape.turn;
+      if (shape.radius > 0) {
+        wholes_.push_back(std::make_unique<btSphereShape>(shape.radius));
+      } else {
+        wholes_.push_back(std::make_unique<btBoxShape>(vec(shape.box) / 2));
+      }
+      const btTransform place(btQuaternion(own[1], own[2], own[3], own[0]), vec(shape.at));
+      body_.addChildShape(back * place, wholes_.back().get());
+    }
+    return &body_;
+  }
+
   void add_in_space(const Body& body) {
     const double mass = body.is_prescribed() ? 0 : body.mass;
-    btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, &shape_, vec(body.moments));
+    btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, shape_of(body), vec(body.moments));
+    if (world_.finds && !body.is_ground()) {  // both are multiplied
+      info.m_friction = q_.contacts[0].friction, info.m_restitution = q_.contacts[0].restitution;
+    } else {
+      info.m_friction = info.m_restitution = 1;
+    }
     const Quaternion& turn = body.turn;
     info.m_startWorldTransform = btTransform(btQuaternion(turn[1], turn[2], turn[3], turn[0]), vec(body.at));
+    if (world_.finds)
+      info.m_startWorldTransform.getOrigin() += btVector3(0, 0, body.is_ground() ? -10 : -1e-12) * q_.size;
     bodies_.push_back(std::make_unique<btRigidBody>(info));
     btRigidBody& made = *bodies_.back();
     made.setActivationState(DISABLE_DEACTIVATION);
@@ -115,7 +150,11 @@ class Scene {
       if (body.turnings != Vector{} || body.spins != Vector{}) throw Refused("a body that turns as prescribed");
       made.setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
     }
-    world_.addRigidBody(&made, 0, 0);
+    if (world_.finds) {
+      world_.addRigidBody(&made);
+    } else {
+      world_.addRigidBody(&made, 0, 0);
+    }
     made.setLinearVelocity(vec(body.velocity_after(q_.step)));
     made.setAngularVelocity(vec(body.spins));
     if (body.is_prescribed()) {  // Bullet takes the velocity of such a body from where it was one step before
@@ -242,6 +281,9 @@ class Scene {
   const Question& q_;
   const bool applied_, two_directions_;
   btSphereShape shape_{1};
+  btBoxShape floor_{btVector3(1, 1, 1) * 10 * q_.size};
+  btCompoundShape body_;
+  std::vector<std::unique_ptr<btCollisionShape>> wholes_;
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_{&configuration_};
   btDbvtBroadphase broadphase_;
@@ -252,25 +294,26 @@ class Scene {
   std::vector<btPersistentManifold*> manifolds_;
 };
 
-std::string law_in_space(bool applied, bool two) {
+std::string law_in_space(bool applied, bool two, bool whole) {
   if (two) {
     return "two directions of friction at each contact, that in which it slips freely and the one across, cut to the "
            "cone, by sweeps; the first step from rest";
   }
   return std::string("one direction of friction at each contact, ") +
          (applied ? "by sweeps, where friction does not see couples" : "that in which it slips freely, by sweeps") +
-         "; the first step from rest";
+         (whole ? ", at the contacts of whole shapes" : "") + "; the first step from rest";
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   const std::string how = argc > 1 ? argv[1] : "";
-  const bool applied = how == "applied", taken_back = how == "taken-back", two = how == "two";
+  const bool applied = how == "applied", taken_back = how == "taken-back", two = how == "two", whole = how == "shapes";
   const int version = btGetVersion();
-  return run(
-      {how.empty() ? "bullet" : "bullet-" + how, std::to_string(version / 100) + "." + std::to_string(version % 100),
-       applied ? "cone in the plane, by sweeps, where friction does not see couples; the first step from rest"
-               : "cone in the plane, by sweeps; the first step from rest",
-       [=](const Question& q) { return Scene(q, applied, taken_back, two).step(); }, law_in_space(applied, two)});
+  return run({how.empty() ? "bullet" : "bullet-" + how,
+              std::to_string(version / 100) + "." + std::to_string(version % 100),
+              applied ? "cone in the plane, by sweeps, where friction does not see couples; the first step from rest"
+                      : "cone in the plane, by sweeps; the first step from rest",
+              [=](const Question& q) { return Scene(q, applied, taken_back, two).step(); },
+              law_in_space(applied, two, whole)});
 }

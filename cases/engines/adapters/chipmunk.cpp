@@ -63,21 +63,27 @@ class Scene {
   }
 
  private:
+  /// Chipmunk moves bodies before it looks for contacts. Before an impact bodies begin one step back, so that they are
+  /// where the scene has them when they touch.
   void add(const Body& body) {
     cpBody* made = body.is_prescribed() ? cpBodyNewKinematic()
                                         : cpBodyNew(body.is_free ? body.mass : 1, body.turns ? body.inertia : INFINITY);
     bodies_.push_back(cpSpaceAddBody(space_, made));
-    cpBodySetPosition(made, vec(body.at));
-    cpBodySetVelocity(made, vec(body.is_free ? body.velocity : body.velocity_after(q_.step)));
-    cpBodySetAngularVelocity(made, body.turns ? body.spin : body.spin_after(q_.step));
+    const cpVect velocity = vec(body.is_free ? body.velocity : body.velocity_after(q_.step));
+    const double spin = body.turns ? body.spin : body.spin_after(q_.step), back = q_.impact ? q_.step : 0;
+    const cpVect start = cpvsub(vec(body.at), cpvmult(velocity, back));
+    cpBodySetPosition(made, start);
+    cpBodySetAngle(made, -back * spin);
+    cpBodySetVelocity(made, velocity);
+    cpBodySetAngularVelocity(made, spin);
     if (body.is_free || body.is_prescribed()) return;
     cpBody* anchor = cpSpaceAddBody(space_, cpBodyNewKinematic());
-    cpBodySetPosition(anchor, vec(body.at));
-    cpBodySetVelocity(anchor, vec(body.velocity_after(q_.step)));
+    cpBodySetPosition(anchor, start);
+    cpBodySetVelocity(anchor, velocity);
     cpSpaceAddConstraint(space_, cpPivotJointNew2(anchor, made, cpvzero, cpvzero));
   }
 
-  /// Chipmunk moves bodies before it looks for contacts: the disc stays in touch by a small overlap.
+  /// The disc stays in touch by a small overlap.
   void add(const Contact& contact) {
     const std::size_t index = static_cast<std::size_t>(&contact - q_.contacts.data());
     const double r = q_.disc(contact), half = q_.half(contact);

@@ -4,7 +4,8 @@
 // pushes bodies out of their plane, and constraints that say so again would make the matrix singular. Plane2D joints
 // hold what may not turn or not move. Contacts are a little deep, as they are in programs. At depth 0 Dantzig's method
 // meets exact ties, such as the contact of two boxes that fall alike, gives up ("LCP internal error, s <= 0") and
-// leaves all forces 0.
+// leaves all forces 0. With the argument `shapes` contacts are those that ODE finds between the whole shapes of a body
+// and the floor.
 #include <ode/ode.h>
 
 #include <deque>
@@ -23,10 +24,16 @@ class Scene {
     for (const Body& body : q.bodies) add(body);
     for (const Joint& joint : q.joints) add(joint);
     for (const Friction& brake : q.friction) add(brake);
-    for (const Contact& contact : q.contacts) add(contact);
+    if (!q.shapes.empty()) {
+      add_shapes();
+    } else {
+      for (const Contact& contact : q.contacts) add(contact);
+    }
   }
   ~Scene() {
+    dJointGroupDestroy(found_);
     dJointGroupDestroy(joints_);
+    dSpaceDestroy(space_);
     dWorldDestroy(world_);
   }
   Scene(const Scene&) = delete;
@@ -35,7 +42,10 @@ class Scene {
   Answer step(bool quick) {
     Answer answer;
     if (quick && q_.iterations > 0) dWorldSetQuickStepNumIterations(world_, q_.iterations);
-    const auto make = [&] { quick ? dWorldQuickStep(world_, q_.step) : dWorldStep(world_, q_.step); };
+    const auto make = [&] {
+      find_contacts();
+      quick ? dWorldQuickStep(world_, q_.step) : dWorldStep(world_, q_.step);
+    };
     make();
     if (quick) answer.settings["iterations"] = dWorldGetQuickStepNumIterations(world_);
     answer.settings["CFM"] = dWorldGetCFM(world_);
@@ -48,7 +58,8 @@ class Scene {
         answer.velocity.push_back({v[0], v[1], w[2]});
       }
     }
-    for (std::size_t i = 0; i < q_.contacts.size(); ++i) {
+    answer.tells_forces = q_.shapes.empty();
+    for (std::size_t i = 0; i < feedback_.size(); ++i) {
       const Vector f{feedback_[i].f1[0], feedback_[i].f1[1], feedback_[i].f1[2]};
       answer.push(q_.contacts[i], f);
     }
@@ -172,13 +183,50 @@ class Scene {
     return largest;
   }
 
-  void add(const Contact& contact) {
+  dContact rubbing(const Contact& contact) const {
     dContact given{};
-    given.surface.mode = dContactFDir1 | dContactApprox1 | dContactMu2;
+    given.surface.mode = dContactApprox1 | dContactMu2;
     given.surface.mu = contact.friction;
     if (contact.restitution > 0) given.surface.mode |= dContactBounce, given.surface.bounce = contact.restitution;
     if (q_.in_space) given.surface.mu2 = contact.friction;
     given.geom.depth = 1e-9 * q_.step * q_.step * natural();
+    return given;
+  }
+
+  /// The body overlaps the floor by a little, so that contacts are found.
+  void add_shapes() {
+    const dBodyID body = bodies_[1];
+    const dReal* at = dBodyGetPosition(body);
+    dBodySetPosition(body, at[0], at[1], at[2] - 1e-9 * q_.size);
+    for (const Shape& shape : q_.shapes) {
+      const bool ball = shape.radius > 0;
+      dGeomID made =
+          ball ? dCreateSphere(space_, shape.radius) : dCreateBox(space_, shape.box[0], shape.box[1], shape.box[2]);
+      dGeomSetBody(made, body);
+      dGeomSetOffsetWorldPosition(made, at[0] + shape.at[0], at[1] + shape.at[1], at[2] + shape.at[2]);
+      const dQuaternion turn{shape.turn[0], shape.turn[1], shape.turn[2], shape.turn[3]};
+      dGeomSetOffsetWorldQuaternion(made, turn);
+      shapes_.push_back(made);
+    }
+  }
+
+  void find_contacts() {
+    dJointGroupEmpty(found_);
+    for (dGeomID shape : shapes_) {
+      dContactGeom points[8];
+      const int count = dCollide(shape, floor_, 8, points, sizeof *points);
+      for (int i = 0; i < count; ++i) {
+        dContact given = rubbing(q_.contacts[0]);
+        const dReal depth = given.geom.depth;
+        given.geom = points[i], given.geom.depth = std::min(depth, points[i].depth);
+        dJointAttach(dJointCreateContact(world_, found_, &given), bodies_[1], nullptr);
+      }
+    }
+  }
+
+  void add(const Contact& contact) {
+    dContact given = rubbing(contact);
+    given.surface.mode |= dContactFDir1;
     for (int i = 0; i < 3; ++i) {
       given.geom.pos[i] = contact.at[i], given.geom.normal[i] = contact.normal[i], given.fdir1[i] = contact.tangent[i];
     }
@@ -190,7 +238,10 @@ class Scene {
 
   const Question& q_;
   dWorldID world_ = dWorldCreate();
-  dJointGroupID joints_ = dJointGroupCreate(0);
+  dJointGroupID joints_ = dJointGroupCreate(0), found_ = dJointGroupCreate(0);
+  dSpaceID space_ = dSimpleSpaceCreate(nullptr);
+  dGeomID floor_ = dCreatePlane(space_, 0, 0, 1, 0);
+  std::vector<dGeomID> shapes_;
   std::vector<dBodyID> bodies_;
   std::deque<dJointFeedback> feedback_;
 };
@@ -198,15 +249,17 @@ class Scene {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const bool quick = argc > 1 && std::string(argv[1]) == "quick";
+  const std::string how = argc > 1 ? argv[1] : "";
+  const bool quick = how == "quick", whole = how == "shapes";
+  const std::string pyramid = std::string("pyramid of two directions ") +
+                              (whole ? "of the engine, at the contacts of whole shapes" : "along the scene's tangents"),
+                    bounds =
+                        ", each bounded by mu times the normal force that the contacts would have without friction",
+                    step = "; the first step from rest";
   dInitODE();
-  return run({quick ? "ode-quick" : "ode", ENGINE_VERSION,
-              quick
-                  ? "cone, by sweeps; the first step from rest"
-                  : "friction bounded by mu times the normal force that the contacts would have without friction; the "
-                    "first step from rest",
-              [&](const Question& q) { return Scene(q).step(quick); },
-              quick ? "pyramid of two directions along the scene's tangents, by sweeps; the first step from rest"
-                    : "pyramid of two directions along the scene's tangents, each bounded by mu times the normal force "
-                      "that the contacts would have without friction; the first step from rest"});
+  return run(
+      {how.empty() ? "ode" : "ode-" + how, ENGINE_VERSION,
+       quick ? "cone, by sweeps" + step
+             : "friction bounded by mu times the normal force that the contacts would have without friction" + step,
+       [&](const Question& q) { return Scene(q).step(quick); }, pyramid + (quick ? ", by sweeps" : bounds) + step});
 }

@@ -8,10 +8,12 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import threading
 import tomllib
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent.parent
+building = threading.Lock()
 
 
 class NotAsked(Exception):
@@ -62,6 +64,10 @@ class Engine:
         return sys.executable
 
     def compiled(self, source, folder):
+        with building:  # engines share adapters
+            return self.compiled_alone(source, folder)
+
+    def compiled_alone(self, source, folder):
         program = folder / source.stem
         shared = source.parent / "adapter.hpp"
         if program.exists() and program.stat().st_mtime > max(source.stat().st_mtime, shared.stat().st_mtime):

@@ -2,6 +2,7 @@
 // own.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <memory>
@@ -55,8 +56,8 @@ class Context {
   ClaimsFile& file;
   Mistakes& mistakes;
   std::vector<Use> uses;
-  /// The mechanisms that were opened, by the texts that name them.
-  std::map<std::pair<std::string, std::string>, std::shared_ptr<const Mechanism>> mechanisms;
+  /// The mechanisms that were opened, by the texts that name them, their line and the law of impact.
+  std::map<std::array<std::string, 3>, std::shared_ptr<const Mechanism>> mechanisms;
 };
 
 /// The keys of a claim in one reading, and the body of known kind that they are read into.

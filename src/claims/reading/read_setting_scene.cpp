@@ -8,6 +8,7 @@
 #include "mechanics/kernel/mode_solver.hpp"
 #include "mechanics/mechanism/algebra.hpp"
 #include "mechanics/mechanism/forms.hpp"
+#include "mechanics/reading/impact_law.hpp"
 #include "mechanics/scene/bicycle_scene.hpp"
 #include "mechanics/scene/scene.hpp"
 
@@ -27,7 +28,7 @@ bool read_bicycle(const TableReader& table, Context& context, Setting& setting) 
   setting.mechanism = std::shared_ptr<const Mechanism>(&bicycle_mechanism(), [](const Mechanism*) {});
   setting.starts = starts(*setting.mechanism);
   setting.mechanism_name = "bicycle";
-  for (const char* key : {"state", "along"}) {
+  for (const char* key : {"state", "along", "law"}) {
     if (table.has(key)) table.refuse(key, "found without `mechanism`, expected it only beside one");
   }
   const TomlValue* kind = force_kind(table);
@@ -190,10 +191,11 @@ bool read_mechanism(const TableReader& table, Context& context, Setting& setting
   if (!table.has("mechanism")) return read_bicycle(table, context, setting);
   setting.mechanism_name = context.optional_text(table, "mechanism");
   setting.along = context.optional_text(table, "along");
-  auto& known = context.mechanisms[{setting.mechanism_name, setting.along}];
+  MechanismRequest request(Dimensions::any);
+  if (const auto law = read_impact_law(table)) request.impact = ImpactRequest{law};
+  auto& known = context.mechanisms[{setting.mechanism_name, setting.along, context.optional_text(table, "law")}];
   if (!known) {
-    auto opened =
-        named_mechanism(table, std::filesystem::path(context.file.file).parent_path().string(), Dimensions::any);
+    auto opened = named_mechanism(table, std::filesystem::path(context.file.file).parent_path().string(), request);
     if (!opened || !is_stated(*opened, table)) return false;
     // In space modes are judged at one load: it is a parameter of the paper like all others.
     known = std::make_shared<const Mechanism>(opened->dimension == 3 ? without_load(*opened) : std::move(*opened));

@@ -288,9 +288,9 @@ class SettingReader {
 }  // namespace
 
 void read_settings(const TableReader& root, Context& context) {
-  static constexpr std::array<std::string_view, 15> keys{
-      "id",         "inherits", "statement", "line",       "motions", "mechanism",  "along",     "state",
-      "parameters", "angles",   "force",     "definition", "scene",   "boundaries", "realisable"};
+  static constexpr std::array<std::string_view, 16> keys{
+      "id",    "inherits",   "statement", "line",  "motions",    "mechanism", "along",      "law",
+      "state", "parameters", "angles",    "force", "definition", "scene",     "boundaries", "realisable"};
   if (!root.require("setting", "at least one table [[setting]]")) return;
   for (const TomlValue& value : written_out(root.tables("setting"), context.mistakes)) {
     const TableReader table(value, "[[setting]]", keys, context.mistakes);

@@ -23,6 +23,7 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -166,10 +167,12 @@ static inline void slipproof_record_count(slipproof_record_text* text, size_t va
   slipproof_record_add(text, digits + first, sizeof digits - first);
 }
 
-/* 17 digits, which give the same binary64 again, with a point in every locale. */
+/* What is no small integer becomes a hexadecimal text, "0x1.8p-3": the same binary64 again, in every locale, and many
+ * times as fast as 17 decimal digits. */
 static inline void slipproof_record_number(slipproof_record_text* text, double value) {
-  char digits[64];
-  size_t i, size;
+  static const char digits[] = "0123456789abcdef";
+  uint64_t bits, fraction;
+  int exponent;
   if (value != value) {
     slipproof_record_word(text, "NaN");
     return;
@@ -178,17 +181,22 @@ static inline void slipproof_record_number(slipproof_record_text* text, double v
     slipproof_record_word(text, value > 0 ? "Infinity" : "-Infinity");
     return;
   }
-  if (value > -1e6 && value < 1e6 && value == (double)(long)value && (value != 0 || !signbit(value))) {
-    if (value < 0) slipproof_record_add(text, "-", 1);
+  if (value > -1e6 && value < 1e6 && value == (double)(long)value) {
+    if (signbit(value)) slipproof_record_add(text, "-", 1);
     slipproof_record_count(text, (size_t)(value < 0 ? -value : value));
     return;
   }
-  size = (size_t)snprintf(digits, sizeof digits, "%.17g", value);
-  for (i = 0; i < size; ++i) {
-    const char c = digits[i];
-    if ((c < '0' || c > '9') && c != '-' && c != '+' && c != 'e') digits[i] = '.';
-  }
-  slipproof_record_add(text, digits, size);
+  memcpy(&bits, &value, sizeof bits);
+  fraction = bits << 12;
+  exponent = (int)(bits >> 52 & 0x7ff);
+  slipproof_record_word(text, value < 0 ? "\"-0x" : "\"0x");
+  slipproof_record_word(text, exponent > 0 ? "1" : "0");
+  if (fraction > 0) slipproof_record_add(text, ".", 1);
+  for (; fraction > 0; fraction <<= 4) slipproof_record_add(text, &digits[fraction >> 60], 1);
+  exponent = (exponent > 0 ? exponent : 1) - 1023;
+  slipproof_record_word(text, exponent < 0 ? "p-" : "p");
+  slipproof_record_count(text, (size_t)(exponent < 0 ? -exponent : exponent));
+  slipproof_record_add(text, "\"", 1);
 }
 
 static inline void slipproof_record_list(slipproof_record_text* text, const double* values, size_t count) {

@@ -172,7 +172,7 @@ void check_restitution(Derivation& d, const BodyContact& contact, const PlacedEx
               "contact " + name + ": " + key + ": found " + found + ", expected 0 to 1", given.place(), true);
   };
   hold(e, "X");
-  hold(minus(make_number(1), e), "one above 1 (1 less it is X)");
+  hold(minus(make_number(1), e), "e with 1 - e = X");
 }
 
 /// Of the sliding velocity in space, along the two directions: a number where its length is one.

@@ -10,6 +10,7 @@
 #include "mechanics/bodies/settle.hpp"
 #include "mechanics/impact/impact.hpp"
 #include "mechanics/mechanism/forms.hpp"
+#include "mechanics/reading/impact_law.hpp"
 #include "mechanics/reading/reader.hpp"
 #include "mechanics/states/places.hpp"
 #include "mechanics/states/velocities.hpp"
@@ -152,17 +153,13 @@ std::optional<std::size_t> read_dimension(const TableReader& root) {
 }
 
 /// [impact]; nothing without it.
-std::optional<ImpactLaw> read_impact(const TableReader& root, Context& context) {
+std::optional<ImpactLaw> read_impact(const TableReader& root, Mistakes& mistakes) {
   const TomlValue* value = root.value("impact") == nullptr ? nullptr : root.table("impact");
   if (value == nullptr) return std::nullopt;
   static constexpr std::array<std::string_view, 1> keys{"law"};
-  const TableReader table(*value, "[impact]", keys, context.mistakes);
-  const std::string law = context.required(table, "law", "\"newton\", \"moreau\" or \"poisson\"");
-  const auto found = parse_impact_law(law);
-  if (!found && !law.empty()) {
-    table.refuse("law", "found " + in_quotes(law) + ", expected \"newton\", \"moreau\" or \"poisson\"");
-  }
-  return found;
+  const TableReader table(*value, "[impact]", keys, mistakes);
+  table.require("law", expected_impact_laws);
+  return read_impact_law(table);
 }
 
 /// Of the bodies that were read: the contacts' states, or the impact.
@@ -226,7 +223,7 @@ Mechanism parse_mechanism(const TomlValue& table, const std::string& file, std::
   Context context(mechanism, mistakes);
   std::optional<BodyGeometry> geometry;
   const TableReader root(table, "", mechanism_keys, mistakes);
-  std::optional<ImpactLaw> law = read_impact(root, context);
+  std::optional<ImpactLaw> law = read_impact(root, mistakes);
   if (impact) law = impact->law ? impact->law : law.value_or(ImpactLaw::moreau);
   read_root(root, context, geometry);
   derive_forms(mechanism, mistakes);

@@ -126,4 +126,21 @@ TEST_CASE("a unit is the mechanism's") {
             .find("unit: found 'm', expected that of the mechanism, 'N'") != std::string::npos);
 }
 
+TEST_CASE("a setting may ask a mechanism for its impact by another law") {
+  const auto by = [](const std::string& law) {
+    return replaced(paper(law), "block-on-incline", SLIPPROOF_SOURCE_DIR "/proofs/impacts/rod.toml");
+  };
+  const auto law_of = [&](const std::string& law) {
+    return parse_claims(replaced(by(law), "g > 0", "m > 0"), "small.toml").settings.front().mechanism->impact->law;
+  };
+  CHECK(law_of("") == ImpactLaw::newton);  // that of the file
+  CHECK(law_of("law = \"moreau\"") == ImpactLaw::moreau);
+  CHECK(law_of("law = \"poisson\"") == ImpactLaw::poisson);
+  CHECK_THROWS_WITH_AS(parse_claims(by("law = \"hertz\""), "small.toml"),
+                       doctest::Contains("law: found 'hertz', expected \"newton\", \"moreau\" or \"poisson\""),
+                       InputError);
+  CHECK(refused_with("law = \"newton\"").find("found a mechanism by its equations, expected bodies with velocities") !=
+        std::string::npos);
+}
+
 }  // namespace from_mechanism_test

@@ -203,34 +203,36 @@ TEST_CASE("each law can gain energy, and one restitution for everything cannot")
   CHECK(!gains(impact("ball-with-spin", ImpactLaw::moreau, {{"e", 1}, {"et", 1}, {"mu", 100}})));
 }
 
-TEST_CASE("mistakes about impacts say what is wrong, and where") {
-  const std::string ball = R"([[body]]
-name = "ball"
-mass = "1"
-turning = "0"
-velocity = ["0", "VELOCITY"]
-[[contact]]
-name = "floor"
-of = "ball"
-point = ["0", "0"]
-normal = ["0", "1"]
-)";
-  const auto says = [&](const std::string& velocity, const std::string& restitution) {
-    std::string text = ball;
-    text.replace(text.find("VELOCITY"), 8, velocity);
-    try {
-      test::impact_of_text(text + restitution, ImpactLaw::moreau);
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string("no mistake");
-  };
-  CHECK(says("-1", "restitution = \"1/2\"\n") == "no mistake");
-  CHECK(says("-1", "").find("missing restitution") != std::string::npos);
-  CHECK(says("-1", "restitution = \"-1/4\"\n").find("test.toml:14:16: contact floor: restitution: found -1/4") !=
-        std::string::npos);
-  CHECK(says("-1", "restitution = \"2\"\n").find("one above 1 (1 less it is -1), expected 0 to 1") !=
-        std::string::npos);
-  CHECK(says("0", "restitution = \"1\"\n").find("found no contact that approaches") != std::string::npos);
-  CHECK(says("1", "restitution = \"1\"\n").find("found no contact that approaches") != std::string::npos);
+TEST_CASE("mistakes about impacts say what is wrong, and where, in the plane and in space") {
+  for (const bool in_space : {false, true}) {
+    const std::string zero = in_space ? "\"0\", \"0\", " : "\"0\", ";
+    const auto says = [&](const std::string& velocity, const std::string& more, const std::string& top = "") {
+      const std::string text =
+          (in_space ? "dimension = 3\n" : "") + top +
+          "[[body]]\nname = \"ball\"\nmass = \"1\"\ninertia = " + (in_space ? "[\"1\", \"1\", \"1\"]" : "\"1\"") +
+          "\nvelocity = [" + zero + "\"" + velocity + "\"]\n[[contact]]\nname = \"floor\"\nof = \"ball\"\npoint = [" +
+          zero + "\"0\"]\nnormal = [" + zero + "\"1\"]\n" + more;
+      try {
+        test::impact_of_text(text);
+      } catch (const InputError& error) {
+        return std::string(error.what());
+      }
+      return std::string("no mistake");
+    };
+    const std::string place = in_space ? "test.toml:15:16: " : "test.toml:14:16: ";
+    CHECK(says("-1", "restitution = \"1/2\"\n") == "no mistake");
+    CHECK(says("-1", "").find("contact floor: missing restitution, from 0 to 1") != std::string::npos);
+    CHECK(says("-1", "restitution = \"-1/4\"\n").find(place + "contact floor: restitution: found -1/4") !=
+          std::string::npos);
+    CHECK(says("-1", "restitution = \"2\"\n")
+              .find(place + "contact floor: restitution: found e with 1 - e = -1, expected 0 to 1") !=
+          std::string::npos);
+    CHECK(says("-1", "friction = \"1\"\nrestitution = \"1\"\ntangential_restitution = \"3/2\"\n")
+              .find("tangential_restitution: found e with 1 - e = -1/2, expected 0 to 1") != std::string::npos);
+    CHECK(says("0", "restitution = \"1\"\n").find("found no contact that approaches") != std::string::npos);
+    CHECK(says("1", "restitution = \"1\"\n").find("found no contact that approaches") != std::string::npos);
+    CHECK(says("-1", "restitution = \"1\"\n", "[impact]\nlaw = \"hertz\"\n")
+              .find("law: found 'hertz', expected \"newton\", \"moreau\" or \"poisson\"") != std::string::npos);
+    CHECK(says("-1", "restitution = \"1\"\n", "[impact]\n").find("missing law in [impact]") != std::string::npos);
+  }
 }

@@ -32,15 +32,40 @@ static void writes_each_step(void) {
   step.title = "not a number";
   assert(slipproof_record(&recorder, &step) == SLIPPROOF_RECORD_OK);
   assert(slipproof_record_close(&recorder) == SLIPPROOF_RECORD_OK);
-  assert(
-      strcmp(content(),
-             "{\"title\":\"step "
-             "1\",\"dimension\":3,\"W\":{\"rows\":3,\"columns\":3,\"entries\":[[0,0,1],[1,1,1],[2,2,1]]},"
-             "\"q\":[-10,3,0.10000000000000001],\"mu\":[0.5],\"law\":\"coulomb\",\"r\":[10,-3,-0.10000000000000001]}\n"
-             "{\"title\":\"not a "
-             "number\",\"dimension\":3,\"W\":{\"rows\":3,\"columns\":3,\"entries\":[[0,0,1],[1,1,1],[2,2,1]]},"
-             "\"q\":[-10,3,0.10000000000000001],\"mu\":[0.5],\"law\":\"coulomb\",\"r\":[NaN,-Infinity,Infinity]}\n") ==
-      0);
+  assert(strcmp(content(),
+                "{\"title\":\"step "
+                "1\",\"dimension\":3,\"W\":{\"rows\":3,\"columns\":3,\"entries\":[[0,0,1],[1,1,1],[2,2,1]]},"
+                "\"q\":[-10,3,\"0x1.999999999999ap-4\"],\"mu\":[\"0x1p-1\"],\"law\":\"coulomb\",\"r\":[10,-3,\"-0x1."
+                "999999999999ap-4\"]}\n"
+                "{\"title\":\"not a "
+                "number\",\"dimension\":3,\"W\":{\"rows\":3,\"columns\":3,\"entries\":[[0,0,1],[1,1,1],[2,2,1]]},"
+                "\"q\":[-10,3,\"0x1.999999999999ap-4\"],\"mu\":[\"0x1p-1\"],\"law\":\"coulomb\",\"r\":[NaN,-Infinity,"
+                "Infinity]"
+                "}\n") == 0);
+}
+
+/* The binary64 itself: small integers as they are, others by their bits. */
+static void writes_numbers(void) {
+  static const double values[] = {
+      0, -0.0, 999999, -7, 1e6, 0.75, -2.5, 5e-324, 2.2250738585072014e-308, 1.7976931348623157e308};
+  static const char* const texts[] = {"0",
+                                      "-0",
+                                      "999999",
+                                      "-7",
+                                      "\"0x1.e848p19\"",
+                                      "\"0x1.8p-1\"",
+                                      "\"-0x1.4p1\"",
+                                      "\"0x0.0000000000001p-1022\"",
+                                      "\"0x1p-1022\"",
+                                      "\"0x1.fffffffffffffp1023\""};
+  size_t i;
+  for (i = 0; i < sizeof values / sizeof *values; ++i) {
+    slipproof_record_text text = {NULL, 0, 0, 0};
+    slipproof_record_number(&text, values[i]);
+    assert(strcmp(text.data, texts[i]) == 0);
+    if (text.data[0] == '"') assert(strtod(text.data + 1, NULL) == values[i]);
+    free(text.data);
+  }
 }
 
 /* A step without contacts, as most are. */
@@ -115,9 +140,9 @@ static void writes_an_impact(void) {
   step.v_before = v_before;
   assert(slipproof_record(&recorder, &step) == SLIPPROOF_RECORD_OK);
   assert(slipproof_record_close(&recorder) == SLIPPROOF_RECORD_OK);
-  assert(strstr(content(), "\"impact\":\"newton\",\"restitution\":[0.5],\"u_before\":[-2,3],\"r\":[4,-2]}"));
+  assert(strstr(content(), "\"impact\":\"newton\",\"restitution\":[\"0x1p-1\"],\"u_before\":[-2,3],\"r\":[4,-2]}"));
   assert(strstr(content(),
-                "\"impact\":\"moreau\",\"restitution\":[0.5],\"tangential_restitution\":[0.5],"
+                "\"impact\":\"moreau\",\"restitution\":[\"0x1p-1\"],\"tangential_restitution\":[\"0x1p-1\"],"
                 "\"v_before\":[3,-2],\"r\":[4,-2]}"));
 }
 
@@ -176,6 +201,7 @@ int main(void) {
   for (i = 0; i < 3 && !setlocale(LC_ALL, locales[i]); ++i) {
   }
   writes_each_step();
+  writes_numbers();
   writes_nothing_that_touches();
   keeps_the_worst();
   measures_by_each_law();

@@ -1,6 +1,7 @@
 """ask_test.py SLIPPROOF CASES: asks a small engine whole scenes and a threshold, and what happens to one that crashes,
 hangs or is not there. Where ODE is installed, its adapter is asked, too."""
 
+import importlib.util
 import json
 import math
 import os
@@ -84,15 +85,40 @@ class Asking(unittest.TestCase):
         self.assertEqual(ask("nobody")[0].returncode, 2)
         self.assertEqual(ask("sweeps", only="no such scene")[0].returncode, 3)
 
+    def test_engines_that_are_not_there(self):
+        """Their adapters compile, and say which module is missing; what they share turns moments into the scene."""
+        modules = {"newton": "newton", "genesis": "genesis", "drake": "pydrake", "chrono": "pychrono"}
+        missing = [name for name, module in modules.items() if importlib.util.find_spec(module) is None]
+        told, lines = ask(*missing, table=CASES / "engines.toml", only="space-cone/cube-pushed-at-37") if missing else (None, {})
+        for name in missing:
+            self.assertIn(f"not asked: the module {modules[name]} of Python is not installed", told.stdout)
+        self.assertEqual(lines, {})
+        for file in (CASES / "adapters").glob("*.py"):
+            compile(file.read_text(), str(file), "exec")
+        sys.path.append(str(CASES / "adapters"))
+        from adapter import inertia
+        scene = Scenes.scenes["space-stand/two-cubes-0-4-3-4"].bodies()
+        for given, body in zip(scene["bodies"], WorldInSpace(scene).built()["bodies"][1:]):
+            xx, yy, zz, xy, xz, yz = given["inertia"]
+            turn, own = given["turn"], [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
+            both = [[sum(a * b for a, b in zip(p, q)) for q in zip(*inertia(body, invert=True))] for p in inertia(body)]
+            for i in range(3):
+                for j in range(3):
+                    exact = sum(turn[i][k] * own[k][m] * turn[j][m] for k in range(3) for m in range(3))
+                    self.assertAlmostEqual(inertia(body)[i][j], exact, 12)
+                    self.assertAlmostEqual(both[i][j], i == j, 12)
+
     @unittest.skipUnless(shutil.which("pkg-config") and shutil.which("c++") and
                          subprocess.run(["pkg-config", "--exists", "ode"], check=False).returncode == 0, "no ODE")
     def test_ode(self):
         with tempfile.TemporaryDirectory() as built:
-            for scene, places in (("one-motion/ball-at-rest", 5), ("space-cone/ball-pushed-at-31", 4)):
-                _, lines = ask("ode", table=CASES / "engines.toml", only=scene, built=built)
+            for scene, engines, places in (("one-motion/ball-at-rest", ["ode"], 5),
+                                           ("space-cone/ball-pushed-at-31", ["ode", "ode-shapes"], 4)):
+                _, lines = ask(*engines, table=CASES / "engines.toml", only=scene, built=built)
                 exact = self.expected(scene)["motions"][0]
-                for name, value in lines["ode"][0]["motion"].items():
-                    self.assertAlmostEqual(value, exact["accelerations"][name]["double"], places, name)
+                for engine in engines:  # the contact of the scene, and the one that ODE finds
+                    for name, value in lines[engine][0]["motion"].items():
+                        self.assertAlmostEqual(value, exact["accelerations"][name]["double"], places, name)
 
 
 class Scenes(unittest.TestCase):

@@ -170,9 +170,9 @@ TEST_CASE("the shipped table says whose contacts differ on purpose") {
   const std::string table = SLIPPROOF_SOURCE_DIR "/cases/engines/engines.toml";
   const auto designs = engine_designs(table);
   for (const char* engine : {"mujoco", "mujoco3", "mujoco3-shapes", "physx", "physx-shapes", "rapier2d", "rapier3d",
-                             "rapier3d-shapes", "box2d3"})
+                             "rapier3d-shapes", "box2d3", "newton", "genesis", "drake", "chrono"})
     CHECK(designs.contains(engine));
-  CHECK(designs.size() == 9);
+  CHECK(designs.size() == 13);
 }
 
 TEST_CASE("impacts are counted by the laws by which they are right") {
