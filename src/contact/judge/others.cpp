@@ -45,7 +45,7 @@ class KnownSolution {
 }  // namespace
 
 EnclosureOptions without_large_blocks(EnclosureOptions options) {
-  constexpr std::size_t large = 1000;
+  constexpr std::size_t large = 1500;
   options.largest_block = std::min(options.largest_block, large);
   return options;
 }
