@@ -172,7 +172,9 @@ class ContactCase {
 
   void enclose() {
     const bool right = j_.residual->backward_error() <= options_.tolerance;
-    auto found = enclose_solution(problem_, j_.x, options_.enclosure);
+    const bool quick = !right && !options_.refine;
+    const EnclosureOptions options = quick ? without_large_blocks(options_.enclosure) : options_.enclosure;
+    auto found = enclose_solution(problem_, j_.x, options);
     if (auto* box = std::get_if<Enclosure>(&found)) {
       if (right || !problem_.is_coulomb() || error_from(*box) <= contact_near) return take(std::move(*box));
       far_ = std::move(*box);
@@ -185,7 +187,7 @@ class ContactCase {
     }
     const std::vector<double> start = right ? j_.x : improved_answer(problem_, j_.x, options_);
     const bool converged = right || start != j_.x;
-    if (!right && converged) extra("a solution from an improved answer", [&] { enclose_near(start); });
+    if (!right && converged) extra("a solution from an improved answer", [&] { enclose_near(start, options); });
     if (j_.enclosure) return;
     if (problem_.is_coulomb()) extra("forces inside of their cones", [&] { move_inside(start, right); });
     if (j_.enclosure) return;
@@ -199,8 +201,8 @@ class ContactCase {
   }
 
   /// A solution at an improved answer; if it is far from the answer, others may be nearer.
-  void enclose_near(const std::vector<double>& start) {
-    auto found = enclose_solution(problem_, start, options_.enclosure);
+  void enclose_near(const std::vector<double>& start, const EnclosureOptions& options) {
+    auto found = enclose_solution(problem_, start, options);
     auto* box = std::get_if<Enclosure>(&found);
     if (box != nullptr && error_from(*box) <= contact_near) return take(std::move(*box));
     if (box != nullptr) far_ = std::move(*box);

@@ -44,6 +44,12 @@ class KnownSolution {
 
 }  // namespace
 
+EnclosureOptions without_large_blocks(EnclosureOptions options) {
+  constexpr std::size_t large = 1500;
+  options.largest_block = std::min(options.largest_block, large);
+  return options;
+}
+
 bool may_be_near(const MixedProblem& problem, const ContactJudgement& judgement, std::span<const Rational> w,
                  std::optional<double> within) {
   if (judgement.residual->backward_error() <= contact_near) return true;
@@ -100,10 +106,8 @@ void look_in_linear_modes(const MixedProblem& problem, Work allowed, ContactJudg
 std::optional<Enclosure> enclose_inside(const MixedProblem& problem, std::span<const double> x, double near,
                                         const EnclosureOptions& options, Effort& effort,
                                         std::span<const double> toward) {
-  constexpr double well = 1e-3;                // of the largest force
-  constexpr std::size_t largest_dense = 1000;  // an inverse of more would take longer than anything else
-  EnclosureOptions own = options;
-  own.largest_block = std::min(own.largest_block, largest_dense);
+  constexpr double well = 1e-3;  // of the largest force
+  const EnclosureOptions own = without_large_blocks(options);
   for (const double margin : {toward.empty() ? near / 8 : well / 8, well}) {
     auto inside = forces_inside(problem, x, near, margin, effort, toward);
     if (!inside) continue;
