@@ -30,12 +30,12 @@ compile() {  # FILE...
     for header in stdio stdlib string math gmp mpfr {fmpz,fmpq,fmpz_mod,nmod,fq_nmod,fq_zech}_mpoly_factor fmpz_lll aprcl qsieve; do
       echo "#include <$header.h>"
     done >"$folder/flint_headers.h"
-    "$cc" "${flags[@]}" -x c-header "$folder/flint_headers.h" -o "$folder/flint.part.pch"
+    "$cc" "${flags[@]}" -c -x c-header "$folder/flint_headers.h" -o "$folder/flint.part.pch"
     mv "$folder/flint.part.pch" "$folder/flint.pch"
   fi
   local own='undef ulong|_INLINES_C'
-  grep -LZE "$own" "$@" | xargs -0 -r -n 20 -P "$jobs" "$cc" "${flags[@]}" -include-pch "$folder/flint.pch" -c
-  grep -lZE "$own" "$@" | xargs -0 -r -n 20 -P "$jobs" "$cc" "${flags[@]}" -c
+  { grep -LZE "$own" "$@" || true; } | xargs -0 -r -n 20 -P "$jobs" "$cc" "${flags[@]}" -include-pch "$folder/flint.pch" -c
+  { grep -lZE "$own" "$@" || true; } | xargs -0 -r -n 20 -P "$jobs" "$cc" "${flags[@]}" -c
 }
 background=()
 in_parallel() {  # COMMAND...: in the background, at most $jobs at once; then wait_for_all
@@ -78,8 +78,10 @@ mpfr() {
   cd "$folder/sources/mpfr"
   ./configure --host=none --disable-shared --disable-thread-safe "--with-gmp=$folder/installed" CC="$cc" CFLAGS=
   mkdir -p "$folder/mpfr"
-  (cd "$folder/mpfr" && printf '%s\0' "$folder"/sources/mpfr/src/*.c | xargs -0 -n 20 -P "$jobs" "$cc" -DHAVE_CONFIG_H \
-    "-I$folder/sources/mpfr" "-I$folder/sources/mpfr/src" "-I$folder/installed/include" -c)
+  local defined=()  # it has no config.h; and some files are parts of others
+  eval "defined=($(sed -n 's/^DEFS = //p' src/Makefile))"
+  (cd "$folder/mpfr" && find "$folder/sources/mpfr/src" -name '*.c' ! -name '*_extracted.c' ! -name round_raw_generic.c ! -name jyn_asympt.c -print0 |
+    xargs -0 -n 20 -P "$jobs" "$cc" "${defined[@]}" "-I$folder/sources/mpfr" "-I$folder/sources/mpfr/src" "-I$folder/installed/include" -c)
   cp src/mpfr.h "$folder/installed/include/"
   archive mpfr "$folder"/mpfr/*.o
 }
@@ -90,7 +92,10 @@ flint_config() {
   printf '#define FLINT_%s 0\n' BIG_ENDIAN REENTRANT WANT_ASSERT
   echo '#define FLINT_DLL'
 }
-flint() { flint_of_debian 32; }
+flint() {
+  rm -f "$folder/flint.pch"  # of a run that was stopped
+  flint_of_debian 32
+}
 
 archive() {  # NAME FILE...; names of members may be alike
   rm -f "$folder/installed/lib/lib$1.a"

@@ -1,6 +1,6 @@
 'use strict';
-// The pictures in motion: their parts say how the bodies begin to move (data-about, data-velocity, data-acceleration),
-// and how far an opening contact is drawn apart (data-opens).
+// The pictures in motion: their parts say how the bodies begin to move (data-about, data-velocity, data-acceleration;
+// of a line between two bodies for either end), and how far an opening contact is drawn apart (data-opens).
 const moving = (() => {
   const seconds = 0.5, slower = 4, pause = 700;      // of the scene; times; milliseconds at the end
   const farthest = 34;                               // pixels of the picture that the largest movement has
@@ -9,6 +9,13 @@ const moving = (() => {
 
   const numbers = text => text.split(' ').map(Number);
   const after = (part, t) => part.velocity.map((v, i) => scale * (v * t + part.acceleration[i] * t * t / 2));
+  const movement = (data, end) => ({ about: numbers(data.about).slice(2 * end), velocity: numbers(data.velocity).slice(3 * end, 3 * end + 3),
+    acceleration: numbers(data.acceleration).slice(3 * end, 3 * end + 3) });
+
+  function place(part, [x, y], t) {  // of a point of the part's body
+    const [dx, dy, turn] = after(part, t), [ax, ay] = part.about, [c, s] = [Math.cos(turn), Math.sin(turn)];
+    return [ax + dx + c * (x - ax) - s * (y - ay), ay + dy + s * (x - ax) + c * (y - ay)];
+  }
 
   function spoke(circle) {  // shows how it turns
     const [x, y, r] = ['cx', 'cy', 'r'].map(name => Number(circle.getAttribute(name)));
@@ -24,9 +31,13 @@ const moving = (() => {
       if (on) drawing.querySelectorAll('circle.body[data-about]').forEach(spoke);
       drawing.classList.toggle('moves-now', on);
     }
-    parts = drawings.flatMap(drawing => [...drawing.querySelectorAll('[data-about]')]).map(element => ({
-      element, about: numbers(element.dataset.about), velocity: numbers(element.dataset.velocity),
-      acceleration: numbers(element.dataset.acceleration) }));
+    parts.filter(part => part.end).forEach(part => part.element.setAttribute('d', part.still));
+    parts = drawings.flatMap(drawing => [...drawing.querySelectorAll('[data-about]')]).map(element => {
+      const part = { element, ...movement(element.dataset, 0) };
+      if (part.about.length === 2) return part;
+      const still = element.getAttribute('d'), [x, y, u, v] = still.match(/-?[\d.]+/g).map(Number);
+      return { ...part, end: movement(element.dataset, 1), still, from: [x, y], to: [u, v] };
+    });
     const surfaces = drawings.flatMap(drawing => [...drawing.querySelectorAll('[data-opens]')]);
     parts.push(...surfaces.map(element => ({ element, opens: numbers(element.dataset.opens) })));
     scale = 1;
@@ -39,6 +50,10 @@ const moving = (() => {
       if (part.opens) {
         const left = t === null ? 0 : 1 - (t / seconds) ** 2;
         part.element.setAttribute('transform', `translate(${part.opens.map(x => -x * left)})`);
+        continue;
+      }
+      if (part.end) {
+        part.element.setAttribute('d', t === null ? part.still : `M${place(part, part.from, t)}L${place(part.end, part.to, t)}`);
         continue;
       }
       const [x, y, turn] = t === null ? [0, 0, 0] : after(part, t);

@@ -146,7 +146,7 @@ struct ReportBlock {
 };
 
 struct TextLook {
-  bool narrow = false;   ///< lines that are never broken are broken at 80 columns, too, unless they are of a table
+  bool narrow = false;   ///< lines that are never broken are broken at 80 columns, too, and the cells of wide tables
   bool colours = false;  ///< titles and headings are bold
 };
 /// For a terminal of 80 columns. Content of sections and items is indented.

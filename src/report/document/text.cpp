@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <numeric>
+#include <sstream>
 
 #include "base/input/utf8.hpp"
 #include "base/output/terminal.hpp"
@@ -7,6 +9,8 @@
 namespace slipproof {
 
 namespace {
+
+constexpr std::size_t line_width = 80;
 
 /// True if an empty line separates the block from its neighbours.
 bool stands_apart(const ReportBlock& block) {
@@ -86,24 +90,75 @@ class TextWriter {
     return widths;
   }
 
+  static std::string trimmed(const std::string& line) { return line.substr(0, line.find_last_not_of(' ') + 1); }
+
+  /// The lines of a cell in a column of this width.
+  static std::vector<std::string> lines_of(const std::string& text, std::size_t width) {
+    if (width == 0 || utf8_count(text) <= width) return {text};
+    const std::string margin(line_width - width, ' ');
+    std::vector<std::string> lines;
+    std::istringstream all(wrapped(margin, text));
+    for (std::string line; std::getline(all, line);) lines.push_back(trimmed(line.substr(margin.size())));
+    return lines;
+  }
+
+  /// Widths for a table with a head that is wider than a narrow look: the widest columns give way, down to their
+  /// longest words.
+  static void narrow_columns(const ReportTable& table, std::size_t indent, std::vector<std::size_t>& widths) {
+    std::vector<std::size_t> whole(widths.size()), least(widths.size());
+    const auto hold = [&](std::size_t i, const std::string& text) {
+      whole[i] = std::max(whole[i], utf8_count(text));
+      std::istringstream words(text);
+      for (std::string word; words >> word;) least[i] = std::max(least[i], utf8_count(word));
+    };
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+      hold(i, table.columns[i].name.text());
+      for (const ReportRow& row : table.rows) {
+        if (i < row.cells.size()) hold(i, row.cells[i].text());
+      }
+    }
+    const auto is_wide = [&](const std::vector<std::size_t>& columns) {
+      return std::reduce(columns.begin(), columns.end(), indent + 2 * (columns.size() - 1)) > line_width;
+    };
+    widths.back() = std::max(widths.back(), whole.back());
+    if (!is_wide(widths)) return;
+    widths = whole;
+    while (is_wide(widths)) {
+      std::size_t widest = 0;
+      for (std::size_t i = 1; i < widths.size(); ++i) {
+        if (widths[i] - least[i] > widths[widest] - least[widest]) widest = i;
+      }
+      if (widths[widest] == least[widest]) return;
+      --widths[widest];
+    }
+  }
+
   void write(const ReportTable& table, std::size_t indent) {
     const bool head = table.has_head();
     if (head) indent = std::max<std::size_t>(indent, 2);
     std::vector<std::size_t> widths = widths_of(table);
+    if (head && look_.narrow) narrow_columns(table, indent, widths);
+    const auto cell = [&](const std::string& text, std::size_t i) {
+      const std::size_t length = utf8_count(text), width = i < widths.size() ? widths[i] : 0;
+      const std::string space(std::max(width, length) - length, ' ');
+      return width > 0 && table.columns[i].number ? space + text : text + space;
+    };
     const auto write_row = [&](std::size_t margin, std::size_t cells, const auto& text_of) {
-      std::string line(margin, ' ');
+      std::vector<std::vector<std::string>> lines;
+      std::size_t height = 1;
       for (std::size_t i = 0; i < cells; ++i) {
-        const std::string text = text_of(i);
-        const std::size_t length = utf8_count(text), width = i < widths.size() ? widths[i] : 0;
-        const std::string space(std::max(width, length) - length, ' ');
-        if (i > 0) line += head ? "  " : " ";
-        if (width > 0 && table.columns[i].number) {
-          line += space + text;
-        } else {
-          line += i + 1 < widths.size() ? text + space : text;
-        }
+        lines.push_back(look_.narrow && i < widths.size() && head ? lines_of(text_of(i), widths[i])
+                                                                  : std::vector<std::string>{text_of(i)});
+        height = std::max(height, lines.back().size());
       }
-      text_ += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+      for (std::size_t k = 0; k < height; ++k) {
+        std::string line(margin, ' ');
+        for (std::size_t i = 0; i < cells; ++i) {
+          if (i > 0) line += head ? "  " : " ";
+          line += cell(k < lines[i].size() ? lines[i][k] : "", i);
+        }
+        text_ += trimmed(line) + '\n';
+      }
     };
     if (head) {
       const std::size_t out = table.titled ? 2 : 0;

@@ -49,23 +49,27 @@ class GeometryReader {
     }
     double radius = shape.radius ? number(shape.radius) : 0;
     if (shape.kind == MechanismShape::Kind::circle) radius = std::abs(radius);
-    geometry.outlines.push_back({shape.kind, std::move(points), radius, shape.text, shape.thin, body_of(shape)});
+    geometry.outlines.push_back({shape.kind, std::move(points), radius, shape.text, shape.thin, bodies_of(shape)});
+    place_before_ = shape.place;
   }
 
-  /// What is derived from bodies has the place of what it is derived from. A line between two bodies moves with
-  /// neither.
-  std::optional<std::size_t> body_of(const MechanismShape& shape) const {
+  /// What is derived from bodies has the place of what it is derived from.
+  std::optional<std::array<std::size_t, 2>> bodies_of(const MechanismShape& shape) const {
     if (!scene_.mechanism.bodies) return std::nullopt;
     const Bodies& bodies = *scene_.mechanism.bodies;
     const auto has_place = [&](const auto& part) { return part.place == shape.place; };
     for (std::size_t i = 0; i < bodies.bodies.size(); ++i) {
-      if (has_place(bodies.bodies[i]) || std::ranges::any_of(bodies.bodies[i].shapes, has_place)) return i;
+      if (has_place(bodies.bodies[i]) || std::ranges::any_of(bodies.bodies[i].shapes, has_place)) return {{i, i}};
     }
     for (const BodyContact& contact : bodies.contacts) {
-      if (has_place(contact)) return contact.radius ? contact.of : contact.on;
+      if (!has_place(contact)) continue;
+      const bool first = contact.radius && bodies.bodies[contact.of].shapes.empty() && place_before_ != shape.place;
+      const std::size_t body = first ? contact.of : contact.on;
+      return {{body, body}};
     }
     for (const BodyJoint& joint : bodies.joints) {
-      if (has_place(joint) && joint.kind == BodyJoint::Kind::pin) return joint.second;
+      if (!has_place(joint)) continue;
+      return {{joint.kind == BodyJoint::Kind::pin ? joint.second : joint.first, joint.second}};
     }
     return std::nullopt;
   }
@@ -212,6 +216,7 @@ class GeometryReader {
   const MechanismScene& scene_;
   SceneNumbers numbers_;
   std::vector<bodies_in_motion::Frame> frames_;
+  Place place_before_{};  ///< of the shape before: the two discs of a contact have one place
 };
 
 }  // namespace

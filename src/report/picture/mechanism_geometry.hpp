@@ -1,6 +1,7 @@
 // The places of the parts of a mechanism, from the coordinates in its file.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,7 +20,8 @@ struct MechanismGeometry {
     double radius = 0;  ///< of a turn, clockwise if negative
     std::string text;
     bool thin = false;
-    std::optional<std::size_t> body = std::nullopt;  ///< that it moves with, among the scene's
+    /// The bodies, among the scene's, that its first point and its other points move with.
+    std::optional<std::array<std::size_t, 2>> bodies = std::nullopt;
   };
   struct Contact {
     std::size_t index;  ///< among the mechanism's contacts

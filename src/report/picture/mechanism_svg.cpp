@@ -12,6 +12,7 @@
 
 #include "base/input/diagnostic.hpp"
 #include "base/number/binary64.hpp"
+#include "base/output/listed.hpp"
 #include "report/picture/arrows/mechanism_arrows.hpp"
 #include "report/picture/drawing.hpp"
 #include "report/picture/labels/contact_table.hpp"
@@ -29,7 +30,6 @@ namespace slipproof {
 namespace {
 
 using ShapeKind = MechanismShape::Kind;
-
 constexpr double drawn_width = 270, drawn_height = 220, longest_force = 72, surface = 30, opening = 14;
 /// Of pictures of many contacts.
 constexpr double large_width = 420, large_height = 400;
@@ -45,15 +45,16 @@ class MechanismDrawing {
         geometry_(geometry_of(scene, motion == nullptr)),
         frame_(svg) {
     fit();
-    const auto has_body = [](const auto& outline) { return outline.body.has_value(); };
-    if (look.movable && motion != nullptr && std::ranges::all_of(geometry_.outlines, has_body))
-      movements_ = body_movements(scene, *motion);
+    if (motion != nullptr && (look.movable || look.animated))
+      movements_ = body_movements(scene, *motion, geometry_.turned);
+    const auto has_body = [](const auto& outline) { return outline.bodies.has_value(); };
+    movable_ = look.movable && !movements_.empty() && std::ranges::all_of(geometry_.outlines, has_body);
   }
 
   void draw() {
     for (const MechanismGeometry::Contact& contact : geometry_.contacts) this->contact(contact);
     for (const MechanismGeometry::Outline& outline : geometry_.outlines) this->outline(outline);
-    if (look_.animated && motion_ != nullptr) go_ahead();
+    if (look_.animated && !movements_.empty()) go_ahead();
     const double apart = lettered() ? 0.8 * closest() : longest_force;
     MechanismArrows arrows(svg_,
                            {scene_, motion_, geometry_, numbers_, view_, std::clamp(apart, 12.0, longest_force),
@@ -142,7 +143,7 @@ class MechanismDrawing {
     const double reach = lettered() ? std::min(surface, 0.45 * closest()) : surface;
     if (has_direction(contact)) {
       const Element drawn = line(moved(below, across, -reach), moved(below, across, reach), "frame", 1.5);
-      if (lifts(contact) && !movements_.empty())
+      if (lifts(contact) && movable_)
         drawn.set("data-opens", fmt::format("{:.2f} {:.2f}", below[0] - at[0], below[1] - at[1]));
     }
     svg_.add("circle", lifts(contact) ? "paper frame" : "ink").set("cx", at[0]).set("cy", at[1]).set("r", 3);
@@ -197,18 +198,20 @@ class MechanismDrawing {
   }
   /// Says of a part how its body moves.
   void moving(const MechanismGeometry::Outline& outline, const Element& part) const {
-    if (movements_.empty()) return;
-    const BodyMovement& body = movements_[*outline.body];
-    const double cosine = std::cos(geometry_.turned), sine = std::sin(geometry_.turned);
-    const auto turned = [&](Point p) { return Point{p[0] * cosine - p[1] * sine, p[0] * sine + p[1] * cosine}; };
-    const Point about = view_.pixel(turned(body.at));
+    if (!movable_) return;
     const auto rate = [&](Point along, double turn) {
-      along = turned(along);
       return fmt::format("{:.6g} {:.6g} {:.6g}", view_.scale * along[0], -view_.scale * along[1], -turn);
     };
-    part.set("data-about", fmt::format("{:.2f} {:.2f}", about[0], about[1]))
-        .set("data-velocity", rate(body.velocity, body.spin))
-        .set("data-acceleration", rate(body.acceleration, body.turning));
+    std::vector<std::string> about, velocity, acceleration;
+    for (std::size_t i = 0; i == 0 || (i == 1 && outline.bodies->front() != outline.bodies->back()); ++i) {
+      const BodyMovement& body = movements_[(*outline.bodies)[i]];
+      about.push_back(fmt::format("{:.2f}", fmt::join(view_.pixel(body.at), " ")));
+      velocity.push_back(rate(body.velocity, body.spin));
+      acceleration.push_back(rate(body.acceleration, body.turning));
+    }
+    part.set("data-about", listed(about, " "))
+        .set("data-velocity", listed(velocity, " "))
+        .set("data-acceleration", listed(acceleration, " "));
   }
   static std::vector<Pixel> round(Pixel centre, double radius) {
     constexpr int sides = 24;
@@ -223,7 +226,7 @@ class MechanismDrawing {
   /// What moves farther than the picture is wide leaves it.
   void go_ahead() {
     constexpr double farthest = 150;
-    const auto frames = outlines_ahead(scene_, *motion_);
+    const auto frames = outlines_ahead(geometry_.outlines, movements_);
     add_moving_outlines(svg_, frames, seconds_ahead, view_.scale, [this](Point p) { return view_.pixel(p); });
     const LabelBox now = frame_.drawn();
     for (const MechanismGeometry::Outline& outline : frames.back()) {
@@ -282,7 +285,8 @@ class MechanismDrawing {
   const CommonLook& look_;
   const NumberWords numbers_;
   const MechanismGeometry geometry_;
-  std::vector<BodyMovement> movements_;  ///< of bodies, if parts say how they move
+  std::vector<BodyMovement> movements_;  ///< of bodies, in a picture that moves
+  bool movable_ = false;                 ///< each part says how it moves
   PictureView view_;
   PictureFrame frame_;
   PictureLabels labels_;

@@ -42,6 +42,7 @@ double picture_height(const MechanismScene& scene, double usual);
 /// document. Throws InputError if the mechanism has no picture, or if a coordinate has no value.
 /// `seen` becomes the box of its viewBox. A part that can move has data-about, a place in pixels; data-velocity and
 /// data-acceleration, of this place to the right and down, and of its turn, clockwise, in pixels, radians and seconds.
+/// A line between two bodies has all of them twice, for either end.
 /// The surface of a contact that opens has data-opens, how far it is drawn apart.
 Element add_mechanism(const Element& parent, const MechanismScene& scene, const MotionAtLoad* motion,
                       std::string_view title, const CommonLook& look = {}, LabelBox* seen = nullptr);

@@ -106,6 +106,16 @@ TEST_CASE("draw --animate lets a ball roll by half of its acceleration times the
   CHECK(drawn.out.find("no simulation") != std::string::npos);
   CHECK(run({"draw", ball, "--motion", "1"}).out.find("ahead") == std::string::npos);
 
+  // A sled of mass 1 on a spring: it moves by 2/8, and the spring of length 2 is as much longer.
+  const auto pulled = run({"draw", SLIPPROOF_SOURCE_DIR "/tests/faces/cli/sled.toml", "--motion", "1", "--animate"});
+  REQUIRE(svg.load_string(pulled.out.c_str()));
+  const pugi::xml_node spring = svg.select_node("//g[@class='moves ahead']/path[last()]").node();
+  double stretch = 0, zero = 0;
+  REQUIRE(std::sscanf(spring.attribute("transform").value(), "translate(%lf,%lf) rotate(%lf) scale(%lf)", &x, &y, &zero,
+                      &stretch) == 4);
+  CHECK(stretch == doctest::Approx(1.125));
+  CHECK(zero == 0);
+
   for (const std::vector<std::string>& refused :
        {std::vector<std::string>{city_bicycle, "--motion", "1"},  // by equations
         std::vector<std::string>{ball, "--motion", "all"}, std::vector<std::string>{ball},

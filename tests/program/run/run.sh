@@ -130,6 +130,22 @@ LACKING=
 call "$project/run" wheel twice
 expect 2 '' '*wheel takes nothing, not: twice*'
 
+# A release is of a commit, has its time, and is put together when its parts are built and tested.
+mkdir -p "$project/src/faces/"{explorer,site,package} "$project/build-explorer"
+for script in explorer site; do echo "$note" >"$project/src/faces/$script/build.sh"; done
+echo 'import os; print("packed at", os.environ["SOURCE_DATE_EPOCH"])' >"$project/src/faces/package/release.py"
+echo '#!/bin/sh
+case $1 in status) echo "${CHANGED-}" ;; log) echo 17 ;; esac' >"$scratch/bin/git"
+touch "$project/build-explorer/explorer.html"
+chmod -R a+rwX "$project"
+chmod a+rx "$scratch/bin/git" "$project/src/faces/"*/build.sh
+call "${as_user[@]}" "$project/run" release
+expect 0 'build.sh build-explorer*build.sh build-wheel*test.sh build-wheel*build.sh build build/site*cmake --build --preset ci * slipproof_c slipproof_python' '*packed at 17'
+call "${as_user[@]}" env CHANGED=' M run' "$project/run" release
+expect 1 '' '*not committed*'
+call "$project/run" release now
+expect 2 '' '*release takes nothing, not: now*'
+
 LACKING=coq
 call "${as_user[@]}" "$project/run" test
 expect 0 'cmake --preset*' ''

@@ -152,3 +152,25 @@ TEST_CASE("for a terminal lines end at 80 columns, and headings are bold; no wor
   CHECK(text_of(document, {false, true}).starts_with("\033[1ma word0 "));
   CHECK(found_in(text_of(document, {true, true}), "\ns VERIFIED\n"));
 }
+
+TEST_CASE("for a terminal the cells of a wide table are broken in their columns, others stay") {
+  Document document;
+  ReportTable& wide = document.table({{"by", {"before the blow", false, 60}, {"n", true}, "after it"}});
+  std::string words = "2 = a";
+  for (int i = 0; i < 12; ++i) words += " word" + std::to_string(i);
+  wide.row({"first", words, "7", words});
+  wide.row({"second", "1", "12", "3"});
+  const std::string narrow = text_of(document, {true, false});
+  CHECK(longest_line(text_of(document)) > 80);
+  CHECK(longest_line(narrow) <= 80);
+  CHECK(found_in(narrow, "\n  second  1 "));
+  for (int i = 0; i < 12; ++i) CHECK(found_in(narrow, " word" + std::to_string(i)));
+  // The words of a column stand below each other.
+  const std::size_t row = narrow.find("  first"), line = narrow.find('\n', row) + 1;
+  CHECK(narrow.compare(line, 10, "          ") == 0);
+  CHECK(narrow.compare(line + 10, 4, "word") == 0);
+
+  Document small;
+  small.table({{"by", {"before", false, 40}}}).row({"first", "1"});
+  CHECK(text_of(small, {true, false}) == text_of(small));
+}

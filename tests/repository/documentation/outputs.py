@@ -1,9 +1,11 @@
-"""outputs.py BUILD SOURCES PAGE...: what the pages show after `$ COMMAND` is what the command prints.
+"""outputs.py [--sentences] BUILD SOURCES PAGE...: what the pages show after `$ COMMAND` is what the command prints.
 
 Commands of a page run in a folder of its own, one after the other, in which `cases`, `proofs`, `src` and the files
 beside the page are the repository's, `build` is BUILD, and its programs are in the path. `$ cat FILE` writes a file
 that is not there. A line `...` stands for any lines; a command without lines only has to run. A page about a program
-that was not built is skipped from that command on.
+that was not built is skipped from that command on. With --sentences, commands `build/slipproof ...` in sentences and
+tables run without a mistake; not those of one word, those about files that are not there, and `prove`, which writes into
+`proofs`.
 """
 import difflib
 import os
@@ -13,8 +15,11 @@ import sys
 import tempfile
 import unittest
 
-BUILD, SOURCES = (os.path.abspath(path) for path in sys.argv[1:3])
-PAGES = sys.argv[3:]
+SENTENCES = sys.argv[1] == "--sentences"
+ARGUMENTS = sys.argv[2 if SENTENCES else 1:]
+BUILD, SOURCES = (os.path.abspath(path) for path in ARGUMENTS[:2])
+PAGES = ARGUMENTS[2:]
+SUCCESS, REFUTED, UNDECIDED = 0, 1, 4  # the exit codes of a command that did what it should
 
 
 def sessions(page):
@@ -42,14 +47,31 @@ def matches(shown, printed):
     return bool(printed) and shown[0] == printed[0] and matches(shown[1:], printed[1:])
 
 
+def commands_in_sentences(page, folder):
+    """What a reader may copy out of a line; a file is there unless the command writes it."""
+    with open(page, encoding="utf-8") as file:
+        text = re.sub(r"^```.*?^```$", "", file.read(), flags=re.MULTILINE | re.DOTALL)
+    for command in re.findall(r"`(build/slipproof[^`]*)`", text):
+        words = command.split()
+        read = [word for before, word in zip(words, words[1:]) if re.search(r"[/.]", word) and before not in ("-o", "--out", "--only")]
+        placeholder = any(re.search(r"\b[A-Z]{2,}\b", word) for word in words)
+        if len(words) > 2 and words[1] != "prove" and not placeholder and all(os.path.exists(os.path.join(folder, file)) for file in read):
+            yield command
+
+
+def lay_out(page, folder):
+    """The repository as commands of the page see it."""
+    os.symlink(BUILD, os.path.join(folder, "build"))
+    for name in ("cases", "proofs", "src"):
+        os.symlink(os.path.join(SOURCES, name), os.path.join(folder, name))
+    for entry in os.scandir(os.path.dirname(page)):  # files beside the page
+        if entry.is_file():
+            os.symlink(entry.path, os.path.join(folder, entry.name))
+
+
 class Outputs(unittest.TestCase):
     def run_page(self, page, folder):
-        os.symlink(BUILD, os.path.join(folder, "build"))
-        for name in ("cases", "proofs", "src"):
-            os.symlink(os.path.join(SOURCES, name), os.path.join(folder, name))
-        for entry in os.scandir(os.path.dirname(page)):  # files beside the page
-            if entry.is_file():
-                os.symlink(entry.path, os.path.join(folder, entry.name))
+        lay_out(page, folder)
         environment = {**os.environ, "PATH": BUILD + ":" + os.environ["PATH"], "LC_ALL": "C.UTF-8"}
         count = 0
         for commands in sessions(page):
@@ -70,6 +92,19 @@ class Outputs(unittest.TestCase):
                 count += 1
         self.assertGreater(count, 0, f"{page} has no command")
 
+    @unittest.skipUnless(SENTENCES, "takes long")
+    def test_commands_in_sentences_run(self):
+        for page in PAGES:
+            with tempfile.TemporaryDirectory() as folder:
+                lay_out(os.path.join(SOURCES, page), folder)
+                for command in commands_in_sentences(os.path.join(SOURCES, page), folder):
+                    if not os.path.exists(os.path.join(folder, command.split()[0])):
+                        continue  # a checker that is not built here
+                    with self.subTest(page=page, command=command):
+                        ran = subprocess.run(command, shell=True, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+                        self.assertIn(ran.returncode, (SUCCESS, REFUTED, UNDECIDED), ran.stdout[-2000:])
+
+    @unittest.skipIf(SENTENCES, "its own test")
     def test_outputs_are_those_of_the_program(self):
         for page in PAGES:
             with self.subTest(page), tempfile.TemporaryDirectory() as folder:

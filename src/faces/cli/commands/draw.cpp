@@ -104,6 +104,11 @@ std::string figure_of(MechanismScene scene, const DrawArguments& arguments) {
   if (arguments.animate && (!one || scene.mechanism.dimension == 3)) {
     refuse(arguments, "found --animate, expected it with --motion NUMBER of a scene in the plane");
   }
+  if (arguments.animate && !scene.mechanism.bodies) {
+    refuse(arguments,
+           "found a mechanism by equations, which does not say how its shapes move, expected one of bodies "
+           "for --animate");
+  }
   if (arguments.motion == at_rest) {
     RestQuestions questions;
     questions.only_whether = true;
