@@ -19,7 +19,7 @@ unpack() {  # PACKAGE NAME: into sources/NAME
 }
 
 # What numbers, their polynomials and factors of these need.
-flint_folders=(fmpz fmpz_vec fmpz_poly fmpz_factor fmpz_poly_factor fmpz_mat fmpz_lll fmpz_mod fmpz_mod_poly fmpz_mpoly
+flint_folders=(fmpz fmpz_vec fmpz_poly fmpz_factor fmpz_poly_factor fmpz_poly_mat fmpz_mat fmpz_lll fmpz_mod fmpz_mod_poly fmpz_mpoly
   fmpz_mpoly_factor fmpz_mod_mpoly fmpq fmpq_vec fmpq_mat fmpq_poly fmpq_mpoly fmpq_mpoly_factor ulong_extras
   long_extras double_extras nmod_vec nmod_mat nmod_poly nmod_poly_factor nmod_mpoly nmod_mpoly_factor n_poly mpoly mpn_extras fft
   perm d_vec d_mat mpf_vec mpf_mat mpfr_vec mpfr_mat thread_pool thread_support
