@@ -22,7 +22,7 @@ using namespace slipproof::check;
 
 namespace {
 
-/// The tests of papers check all of them once more, as the program does.
+/// A soak test takes all, as does the README's command that checks the folder, which the tests of pages run.
 std::vector<std::filesystem::path> shipped() {
   const auto all = certificates_in(std::filesystem::path(SLIPPROOF_SOURCE_DIR) / "proofs");
   const auto every =
