@@ -19,7 +19,12 @@ const std::string shipped = SLIPPROOF_SOURCE_DIR "/proofs/rozenblat-yashin/claim
 }  // namespace
 
 TEST_CASE("the shipped paper is the default; every verdict as expected exits with 0") {
-  const auto json = run({"verify", "--samples", "120", "--lines", "0", "--only", "A5", "--json"});
+  const auto verified = [](const std::vector<std::string>& more) {
+    std::vector<std::string> all{"verify", "--samples", "120", "--lines", "0", "--only", "A5"};
+    all.insert(all.end(), more.begin(), more.end());
+    return run(all);
+  };
+  const auto json = verified({"--json"});
   CHECK(json.exit_code == 0);
   CHECK(json.err.empty());  // no progress bar where there is no terminal
   const Json document = Json::parse(json.out);
@@ -44,11 +49,9 @@ TEST_CASE("the shipped paper is the default; every verdict as expected exits wit
     CHECK(Json::parse(solved.out)["motions"] == claim["counterexample"]["motions"]);
   }
   CHECK(found);
-  CHECK(run({"verify", "--samples", "120", "--lines", "0", "--only", "A5", "--json", "--threads", "1"}).out ==
-        json.out);
-  CHECK(run({"verify", "--samples", "120", "--lines", "0", "--only", "A5", "--json", "--threads", "64", shipped}).out ==
-        json.out);
-  CHECK(last_line(run({"verify", "--samples", "120", "--lines", "0", "--only", "A5"}).out).starts_with("s VERIFIED "));
+  CHECK(verified({"--json", "--threads", "1"}).out == json.out);
+  CHECK(verified({"--json", "--threads", "64", shipped}).out == json.out);
+  CHECK(last_line(verified({}).out).starts_with("s VERIFIED "));
 }
 
 TEST_CASE("an unexpected refutation exits with 1, an undecided claim with 4") {
