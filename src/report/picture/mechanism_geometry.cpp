@@ -19,6 +19,11 @@ Point unit(Point vector) {
 Point opposite(Point vector) {
   return {-vector[0], -vector[1]};
 }
+/// From one place to another, or back where the size is negative.
+Point direction(double size, Point from, Point to) {
+  const Point along = unit({to[0] - from[0], to[1] - from[1]});
+  return size < 0 ? opposite(along) : along;
+}
 
 class GeometryReader {
  public:
@@ -43,9 +48,8 @@ class GeometryReader {
     std::vector<Point> points;
     for (const auto& point : shape.points) points.push_back(pair(point));
     if (shape.force || !shape.acceleration.empty()) {
-      const Point along = unit({points[1][0] - points[0][0], points[1][1] - points[0][1]});
-      return shape.force ? add_push(shape, points[0], along, geometry)
-                         : add_acceleration(shape, points[0], along, geometry);
+      return shape.force ? add_push(shape, points[0], points[1], geometry)
+                         : add_acceleration(shape, points[0], direction(1, points[0], points[1]), geometry);
     }
     double radius = shape.radius ? number(shape.radius) : 0;
     if (shape.kind == MechanismShape::Kind::circle) radius = std::abs(radius);
@@ -74,12 +78,12 @@ class GeometryReader {
     return std::nullopt;
   }
 
-  void add_push(const MechanismShape& shape, Point at, Point along, MechanismGeometry& geometry) {
+  void add_push(const MechanismShape& shape, Point at, Point to, MechanismGeometry& geometry) {
     const double size = number(shape.force);
     if (size == 0) return;
     const auto [name, value] = text_of(shape.force);
     geometry.pushes.push_back(
-        {at, size < 0 ? opposite(along) : along, std::abs(size), shape.text.empty() ? name : shape.text, value, true});
+        {at, direction(size, at, to), std::abs(size), shape.text.empty() ? name : shape.text, value, true});
   }
 
   void add_acceleration(const MechanismShape& shape, Point at, Point along, MechanismGeometry& geometry) {
@@ -102,9 +106,8 @@ class GeometryReader {
       });
       if (label == outlines.end()) continue;
       const bool begins = label->points[0] == to;
-      const Point along = unit({size * (to[0] - from[0]), size * (to[1] - from[1])});
       if (size != 0)
-        geometry.pushes.push_back({begins ? from : to, along, std::abs(size), label->text,
+        geometry.pushes.push_back({begins ? from : to, direction(size, from, to), std::abs(size), label->text,
                                    numbers_.value_of(make_symbol(label->text)), begins});
       label->points.clear(), outlines[i].points.clear();
     }
@@ -132,13 +135,15 @@ class GeometryReader {
   void add_force(const BodyForce& force, std::vector<MechanismGeometry::Push>& pushes) {
     const bodies_in_motion::SceneVector is = bodies_in_motion::unplaced(force.is);
     const bodies_in_motion::Frame& on = frames_[force.on];
-    const Point push = point(force.follows ? on.in_scene(is) : is),
-                place = point(on.at + on.in_scene(bodies_in_motion::unplaced(force.at)));
-    const double size = std::hypot(push[0], push[1]);
-    if (size == 0) return;
+    const bodies_in_motion::SceneVector push = force.follows ? on.in_scene(is) : is;
+    const Rational x = exact(push.x), y = exact(push.y), larger = std::max(abs(x), abs(y));
+    if (larger.is_zero()) return;
+    const Point place = point(on.at + on.in_scene(bodies_in_motion::unplaced(force.at))),
+                along = unit({drawn_size(x / larger), drawn_size(y / larger)});
+    const double size = std::hypot(drawn_size(x), drawn_size(y));
     const auto [name, value] = numbers_.name_of(force.is);
-    pushes.push_back({place, unit(push), size, name, value});
-    if (force.back_on && *force.back_on != ground) pushes.push_back({place, opposite(unit(push)), size, name, value});
+    pushes.push_back({place, along, size, name, value});
+    if (force.back_on && *force.back_on != ground) pushes.push_back({place, opposite(along), size, name, value});
   }
 
   void add_spring(const BodyJoint& joint, std::vector<MechanismGeometry::Push>& pushes) {
@@ -148,7 +153,7 @@ class GeometryReader {
     const Point first = end(joint.first, joint.at), second = end(joint.second, joint.to);
     const double tension = number(joint.tension);
     if (tension == 0) return;
-    const Point pull = unit({tension * (second[0] - first[0]), tension * (second[1] - first[1])});
+    const Point pull = direction(tension, first, second);
     const auto [name, value] = text_of(joint.tension);
     if (joint.first != ground) pushes.push_back({first, pull, std::abs(tension), name, value, true});
     if (joint.second != ground) pushes.push_back({second, opposite(pull), std::abs(tension), name, value, true});

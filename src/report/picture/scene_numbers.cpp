@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/input/diagnostic.hpp"
 #include "base/number/binary64.hpp"
+#include "base/number/format.hpp"
 #include "base/output/listed.hpp"
 
 namespace slipproof {
@@ -15,6 +17,11 @@ std::string rounded_value(double x) {
   const bool exact = std::abs(std::stod(text) - x) <= 1e-12 * std::abs(x);
   if (text[0] == '-') text.replace(0, 1, "−");
   return (exact ? "= " : "≈ ") + text;
+}
+
+double drawn_size(const Rational& x) {
+  constexpr double most = 1e300;
+  return std::clamp(nearest_binary64(x), -most, most);
 }
 
 SceneNumbers::SceneNumbers(const MechanismScene& scene)
@@ -33,10 +40,10 @@ Rational SceneNumbers::exact(const PlacedExpression& placed) {
 }
 
 double SceneNumbers::number(const PlacedExpression& placed) {
-  return nearest_binary64(exact(placed));
+  return drawn_size(exact(placed));
 }
 double SceneNumbers::number(const Expression& expression) {
-  return nearest_binary64(exact(expression));
+  return drawn_size(exact(expression));
 }
 
 std::pair<std::string, std::string> SceneNumbers::text_of(const PlacedExpression& placed) {
@@ -56,7 +63,10 @@ std::pair<std::string, std::string> SceneNumbers::text_of_load() {
 
 std::string SceneNumbers::value_of(const Expression& named) {
   const bool known = scene_.load || !scene_.mechanism.load;
-  return known && named->operation != Operation::number ? rounded_value(number(named)) : std::string();
+  if (!known || named->operation == Operation::number) return {};
+  const Rational value = exact(named);
+  const double size = nearest_binary64(value);
+  return std::isfinite(size) ? rounded_value(size) : "≈ " + decimal_text(value, 4);
 }
 
 std::pair<std::string, std::string> SceneNumbers::name_of(const PlacedVector& force) {

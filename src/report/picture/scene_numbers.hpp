@@ -13,6 +13,9 @@ namespace slipproof {
 /// `= 3`; `≈ 2.236`.
 std::string rounded_value(double x);
 
+/// The length or size that a picture draws for `x`: at most 1e300, so that sums and quotients of sizes are finite.
+double drawn_size(const Rational& x);
+
 /// At the scene's load, or at 1 or -1 where it has none.
 class SceneNumbers {
  public:

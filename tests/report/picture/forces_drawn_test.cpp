@@ -9,6 +9,7 @@
 #include <set>
 
 #include "base/number/binary64.hpp"
+#include "base/number/parse.hpp"
 #include "mechanics/bodies/bodies.hpp"
 #include "mechanics/reading/read_mechanism.hpp"
 #include "report/picture/drawn_mechanism.hpp"
@@ -142,6 +143,20 @@ TEST_CASE("a load of a file with equations has an arrow to scale, and none where
   CHECK(length(0) == 0);
   CHECK(length(2) == doctest::Approx(72 * 2.0).epsilon(0.01));
   CHECK(length(-2) == doctest::Approx(-72 * 2.0).epsilon(0.01));
+}
+
+TEST_CASE("a load beyond all doubles has an arrow in its direction, and its size in words") {
+  for (const std::string name : {"city-bicycle.toml", "mechanisms/asked/scenes/block-pushed.toml"}) {
+    CAPTURE(name);
+    MechanismScene scene = read_scene(shipped_files + name);
+    scene.load = parse_rational("1e400");
+    for (const MotionAtLoad& motion : motions(scene).motions) {
+      const std::string svg = mechanism_svg_file(scene, &motion);
+      for (const char* no_number : {"nan", "inf"}) CHECK(svg.find(no_number) == svg.npos);
+      CHECK(svg.find("1e+400") != svg.npos);
+      CHECK(!arrows(drawn(scene, &motion), "load").empty());
+    }
+  }
 }
 
 TEST_CASE("where a contact opens, its surface is apart from the body") {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/number/binary64.hpp"
 #include "report/picture/scene_numbers.hpp"
 
 namespace slipproof {
@@ -64,7 +63,7 @@ double largest_arrow(const MechanismScene& scene, const MotionAtLoad& motion, co
     const MechanismContact& given = scene.mechanism.contacts[contact.index];
     for (const auto& force : {std::optional(given.normal), given.tangent}) {
       const auto value = force ? shown_value(range_of_force(scene, motion, *force)) : std::nullopt;
-      if (value) see(nearest_binary64(*value));
+      if (value) see(drawn_size(*value));
     }
   }
   for (const auto& push : geometry.pushes) see(push.along == Point{0, 0} ? 0 : push.size);
@@ -130,7 +129,7 @@ void MechanismArrows::force(Point at, std::size_t unknown, Point direction, bool
   std::string value;
   if (in_.motion != nullptr) {
     const Range& range = range_of_force(in_.scene, *in_.motion, unknown);
-    const double number = nearest_binary64(shown_value(range).value_or(Rational(0)));
+    const double number = drawn_size(shown_value(range).value_or(Rational(0)));
     determined = range.is_point();
     value = in_.numbers.range(range);
     if (determined && number == 0) return;

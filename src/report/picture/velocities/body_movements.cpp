@@ -31,7 +31,7 @@ std::vector<BodyMovement> body_movements(const MechanismScene& scene, const Moti
   const auto acceleration = [&](const Body::Unknown& unknown, const PlacedExpression& prescribed) {
     if (unknown.symbol.empty()) return prescribed ? numbers.number(prescribed) : 0;
     const auto index = static_cast<std::size_t>(std::ranges::find(names, unknown.symbol) - names.begin());
-    const double value = motion.accelerations[index].to_double();
+    const double value = drawn_size(motion.accelerations[index]);
     return unknown.negated ? -value : value;
   };
   for (const Body& body : scene.mechanism.bodies->bodies) {
