@@ -151,7 +151,7 @@ class ContactCase {
     if (found.all.one()) j_.unique_by = prove_unique(problem_, effort_);
     std::vector<std::vector<Rational>> others;
     for (const FoundSolution& s : found.all.solutions) others.push_back(values_of(s.r));
-    std::ranges::rotate(others, others.begin() + static_cast<std::ptrdiff_t>(found.all.singles()));
+    std::rotate(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(found.all.singles()), others.end());
     for (const ContactContinuum& continuum : found.continua) {
       for (auto& z : continuum.two(effort_)) others.push_back(std::move(z));
     }

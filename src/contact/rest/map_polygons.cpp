@@ -67,8 +67,8 @@ double distance_from(const PlainPoint& p, const PlainPoint& a, const PlainPoint&
 void keep_hull(RestMap& map) {
   std::vector<RestMap::Corner>& all = map.inside;
   std::ranges::sort(all, {}, place);
-  const auto twice = std::ranges::unique(all, {}, place);
-  all.erase(twice.begin(), twice.end());
+  const auto same = [](const auto& one, const auto& other) { return place(one) == place(other); };
+  all.erase(std::unique(all.begin(), all.end(), same), all.end());
   if (all.size() < 3) return;
   std::vector<RestMap::Corner> hull;
   const auto chain = [&](auto begin, auto end) {

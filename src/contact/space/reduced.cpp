@@ -211,7 +211,7 @@ void slide_toward(ExactContacts& contacts, std::size_t contact, std::array<Ratio
   Rational largest, own = std::max(abs(toward[0]), abs(toward[1]));
   for (const Rational& q : contacts.q) largest = std::max(largest, abs(q));
   if (largest.is_zero()) largest = 1;
-  for (const std::size_t t : {1, 2}) {
+  for (const std::size_t t : {1U, 2U}) {
     const std::size_t i = contacts.normal(contact) + t;
     contacts.W[i].assign(contacts.size(), Rational());
     contacts.q[i] = toward[t - 1] / own * largest;

@@ -68,7 +68,8 @@ class HelpFormatter : public CLI::Formatter {
     };
     group("Positionals", command->get_options([](const CLI::Option* option) { return option->get_positional(); }));
     std::vector<std::string> headings = command->get_groups();
-    std::ranges::stable_partition(headings, [](const std::string& heading) { return heading != work_group; });
+    std::stable_partition(headings.begin(), headings.end(),
+                          [](const std::string& heading) { return heading != work_group; });
     for (const std::string& heading : headings) {
       group(heading, command->get_options([&](const CLI::Option* option) {
         return option->nonpositional() && option->get_group() == heading;

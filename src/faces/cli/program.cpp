@@ -85,7 +85,7 @@ std::string unknown_option(const CLI::App& app) {
     add(command);
     for (const CLI::App* group : command->get_subcommands({})) add(group);
     std::ranges::sort(names);
-    names.erase(std::ranges::unique(names).begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
     for (const std::string& word : command->remaining()) {
       if (word.starts_with("--")) return unknown_name("option", word, {names.begin(), names.end()});
     }

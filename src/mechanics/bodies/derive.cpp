@@ -77,7 +77,7 @@ std::optional<Derivation::Across> Derivation::across(const SceneVector& n) const
   if (is_literal_zero(n.y)) return Across{moment(axis(1), n), axis(1)};
   if (is_literal_zero(n.x)) return Across{axis(0), moment(n, axis(0))};
   if (is_literal_zero(n.z)) return Across{moment(z, n), z};
-  for (std::size_t i : {2, 0, 1}) {
+  for (std::size_t i : {2U, 0U, 1U}) {
     for (const bool backward : {false, true}) {
       const Expression along = backward ? negative_of(n[i]) : n[i];
       if (sure_signs(mechanism, along).negative) continue;

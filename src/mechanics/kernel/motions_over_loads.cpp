@@ -160,8 +160,7 @@ class KernelMotions final : public MotionsOverLoads {
   std::vector<ConsistentMode> consistent_among(std::vector<MechanismMode> modes) const {
     std::erase_if(modes, [&](const MechanismMode& mode) { return !is_modelled(mode); });
     std::ranges::sort(modes);
-    const auto twice = std::ranges::unique(modes);
-    modes.erase(twice.begin(), twice.end());
+    modes.erase(std::unique(modes.begin(), modes.end()), modes.end());
     return in_cones(
         ModeSolver(problem_, std::nullopt, states_in(modes, problem_.elements.size())).consistent_among(modes));
   }

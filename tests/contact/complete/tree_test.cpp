@@ -145,7 +145,7 @@ TEST_CASE("every node of a tree is proved, and its children cover it") {
 }
 
 TEST_CASE("what needs no friction is closed at once, and the squares of its W are proved again") {
-  for (const std::size_t boxes : {1, 2, 4}) {
+  for (const std::size_t boxes : {1U, 2U, 4U}) {
     const CompleteSolutions all = all_solutions(stack(boxes, Rational(1, 2), 0));
     CHECK(all.complete());
     CHECK(all.nodes.size() == 1);

@@ -28,7 +28,7 @@ double plain_defect(const DenseMatrix& R, const DenseMatrix& A, std::size_t i, s
 }  // namespace
 
 TEST_CASE("a dense defect has the bits of a plain loop, in the registers of this machine") {
-  for (const std::size_t n : {1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 31, 32, 33, 66, 101}) {
+  for (const std::size_t n : {1U, 2U, 3U, 4U, 5U, 7U, 8U, 9U, 15U, 16U, 17U, 31U, 32U, 33U, 66U, 101U}) {
     CAPTURE(n);
     Dice dice(31, n);
     const DenseMatrix A = random_matrix(dice, n), R = random_matrix(dice, n), defect = absolute_defect(R, A);
@@ -41,7 +41,7 @@ TEST_CASE("a dense defect has the bits of a plain loop, in the registers of this
 }
 
 TEST_CASE("a dense inverse is one, and where there is none it is not finite or its defect is large") {
-  for (const std::size_t n : {1, 2, 3, 5, 16, 31, 32, 33, 64, 65, 130}) {
+  for (const std::size_t n : {1U, 2U, 3U, 5U, 16U, 31U, 32U, 33U, 64U, 65U, 130U}) {
     CAPTURE(n);
     Dice dice(32, n);
     DenseMatrix A = random_matrix(dice, n);

@@ -176,7 +176,7 @@ TEST_CASE("problems at which the search for all solutions once failed") {
   for (std::size_t i = 0; i < 5; ++i) CHECK(verdicts[i] == "wrong");
   CHECK(solutions[5] == 3);
   CHECK(solutions[7] == 9);
-  for (const std::size_t i : {8, 9, 11, 12}) CHECK(verdicts[i] == "solution within rho");
+  for (const std::size_t i : {8U, 9U, 11U, 12U}) CHECK(verdicts[i] == "solution within rho");
   for (std::size_t i = 13; i < 22; ++i) CHECK(solutions[i] >= 0);
 }
 

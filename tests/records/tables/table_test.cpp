@@ -51,7 +51,8 @@ TEST_CASE("an array of two dimensions takes its names from outside, in either or
   const Folder folder;
   std::vector<std::string> names;
   std::string rows, columns, csv;
-  for (const std::size_t k : {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 17, 18, 19, 20, 21, 22, 23, 24, 25}) {
+  for (const std::size_t k :
+       {0U, 1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U, 10U, 11U, 12U, 13U, 14U, 17U, 18U, 19U, 20U, 21U, 22U, 23U, 24U, 25U}) {
     names.push_back(record_columns[k]);
     csv += (csv.empty() ? "" : ",") + record_columns[k];
     for (std::size_t i = 0; i < records.size(); ++i) columns += npy_number(records.number(i, k), ">f4");

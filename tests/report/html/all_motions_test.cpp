@@ -203,8 +203,8 @@ TEST_CASE("contacts without force or friction are rings, with an arrow where the
 TEST_CASE("what may be 0 is drawn as 0: a slow slip along an axis, a force without a sideways part") {
   const Rational tiny(1, 1'000'000'000);
   FoundSolution motion = motion_with("slip/stick", {4, -1, 0, 4, 0, 0}, {0, 3, 0, 0, 0, 0});
-  for (const std::size_t i : {2, 4}) motion.r[i] = {Rational(-tiny), Rational(3 * tiny)};
-  for (const std::size_t i : {2, 4, 5}) motion.u[i] = {Rational(-tiny), Rational(3 * tiny)};
+  for (const std::size_t i : {2U, 4U}) motion.r[i] = {Rational(-tiny), Rational(3 * tiny)};
+  for (const std::size_t i : {2U, 4U, 5U}) motion.u[i] = {Rational(-tiny), Rational(3 * tiny)};
   const auto cones = cones_of({0.25, 1}, {motion});
   REQUIRE(cones);
   const ContactMotion &slips = cones->rows[0].contacts[0], &sticks = cones->rows[0].contacts[1];

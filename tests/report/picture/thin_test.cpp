@@ -69,7 +69,7 @@ double mean_width(const Polygon& polygon) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
     area += (a[0] * b[1] - a[1] * b[0]) / 2;
-    for (std::size_t k : {0, 1}) low[k] = std::min(low[k], a[k]), high[k] = std::max(high[k], a[k]);
+    for (std::size_t k : {0U, 1U}) low[k] = std::min(low[k], a[k]), high[k] = std::max(high[k], a[k]);
   }
   const double length = std::hypot(high[0] - low[0], high[1] - low[1]);
   return length > 0 ? std::abs(area) / length : 0;

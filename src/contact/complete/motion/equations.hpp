@@ -46,7 +46,7 @@ class EquationMaker {
     } else if (forces == 2) {
       equations.push_back({T(), {{first + 1, T(1)}, {first, state.from.x.sign() > 0 ? mu_[k] : T(-mu_[k])}}, {}});
     } else {
-      for (const std::size_t t : {1, 2}) {
+      for (const std::size_t t : {1U, 2U}) {
         equations.push_back(row(normal + t));
         equations.back().products.push_back({first + 3, first + t, T(1)});
       }

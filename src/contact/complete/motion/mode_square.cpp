@@ -102,7 +102,7 @@ std::vector<double> ModeSquare::sizes_at(const std::vector<double>& zero) const 
     for (std::size_t t = 0; t < unknowns.forces(k); ++t) result[first + t] = power_above(zero[first]);
     if (!unknowns.slips_in_space(k)) continue;
     const double friction = std::hypot(zero[first + 1], zero[first + 2]);
-    for (const std::size_t t : {1, 2}) result[first + t] = power_above(friction);
+    for (const std::size_t t : {1U, 2U}) result[first + t] = power_above(friction);
     result[first + 3] = power_above(zero[first + 3]);
   }
   return result;
