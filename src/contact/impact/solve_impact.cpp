@@ -4,10 +4,10 @@
 
 #include "base/input/diagnostic.hpp"
 #include "base/output/listed.hpp"
-#include "contact/impact/impact_energy.hpp"
 #include "contact/impact/poisson_in_space.hpp"
 #include "contact/judge/all_solutions.hpp"
 #include "contact/space/solve_space.hpp"
+#include "mechanics/impact/impact_energy.hpp"
 #include "mechanics/scene/solve_mechanism.hpp"
 
 namespace slipproof {
@@ -137,9 +137,9 @@ SolvedImpact solve_impact(MechanismScene scene) {
   }
   for (ImpactOutcome& outcome : result.outcomes) {
     outcome.energy = energy.of(outcome.motion);
-    if (result.driven) continue;
-    if (outcome.energy.lower && *outcome.energy.lower > result.energy) outcome.gains = true;
-    if (outcome.energy.upper && *outcome.energy.upper <= result.energy) outcome.gains = false;
+    const EnergyBalance balance = energy.balance(outcome.energy);
+    if (balance == EnergyBalance::gained) outcome.gains = true;
+    if (balance == EnergyBalance::not_gained) outcome.gains = false;
   }
   return result;
 }

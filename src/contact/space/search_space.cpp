@@ -4,6 +4,9 @@
 
 #include "base/input/diagnostic.hpp"
 #include "contact/space/solve_space.hpp"
+#include "contact/space/space_problem.hpp"
+#include "mechanics/impact/impact.hpp"
+#include "mechanics/mechanism/forms.hpp"
 
 namespace slipproof {
 
@@ -19,7 +22,29 @@ MotionCount count_of(const SolvedSpace& solved) {
   return exist == 1 ? MotionCount::one : MotionCount::none;
 }
 
+/// Of an impact: only an outcome that exists gains energy for certain.
+EnergyBalance balance_of(const SolvedSpace& solved, const ImpactEnergy& energy) {
+  EnergyBalance result = energy.is_driven() ? EnergyBalance::not_judged : EnergyBalance::not_gained;
+  for (const SpaceMotion& motion : solved.motions) {
+    const Range after = energy.of(motion.is_continuum() ? motion.all_accelerations : motion.accelerations);
+    const EnergyBalance balance = energy.balance(after);
+    const bool unsure = balance == EnergyBalance::gained && !motion.exists;
+    result = std::max(result, unsure ? EnergyBalance::undecided : balance);
+  }
+  if (!solved.complete() && !energy.is_driven()) result = std::max(result, EnergyBalance::undecided);
+  return result;
+}
+
 }  // namespace
+
+Mechanism mechanism_to_search(Mechanism mechanism, SearchOptions& options) {
+  if (mechanism.dimension == 3) {
+    refuse_poisson_in_space(mechanism);
+    mechanism = without_load(mechanism);
+    options.in_space = found_in_space;
+  }
+  return mechanism.impact ? with_approach(std::move(mechanism)) : mechanism;
+}
 
 FoundMotions found_in_space(const Mechanism& mechanism, const MechanismValues& values) {
   CompleteOptions options;
@@ -36,6 +61,9 @@ FoundMotions found_in_space(const Mechanism& mechanism, const MechanismValues& v
     found.in_space.push_back((motion.is_continuum() ? "a continuum beside " : "") + mode_of(motion));
   }
   std::ranges::sort(found.in_space);
+  if (mechanism.impact) {
+    found.energy = balance_of(solved, ImpactEnergy(mechanism, ProblemMaker(mechanism), values, std::nullopt));
+  }
   return found;
 }
 

@@ -20,12 +20,7 @@ class SpaceProblemMaker {
         kinds_(element_kinds(m_, scene.values.starts, scene.values.given)) {}
 
   SpaceProblem problem() {
-    if (m_.impact && m_.impact->law == ImpactLaw::poisson) {
-      mistakes_.add({},
-                    "found an impact in space by Poisson's law, whose two phases only `slipproof impact` solves, "
-                    "expected \"newton\" or \"moreau\"");
-      mistakes_.refuse_if_any();
-    }
+    refuse_poisson_in_space(m_);
     if (m_.load && !scene_.load) {
       mistakes_.add(m_.load->place,
                     "found no value of the load " + m_.load->symbol + ", expected one: a scene in space has one");
@@ -140,6 +135,13 @@ class SpaceProblemMaker {
 };
 
 }  // namespace
+
+void refuse_poisson_in_space(const Mechanism& mechanism) {
+  if (!mechanism.impact || mechanism.impact->law != ImpactLaw::poisson) return;
+  throw InputError({{mechanism.file, 0, 0,
+                     "found an impact in space by Poisson's law, whose two phases only `slipproof impact` solves, "
+                     "expected \"newton\" or \"moreau\""}});
+}
 
 SpaceProblem space_problem(const MechanismScene& scene) {
   return SpaceProblemMaker(scene).problem();

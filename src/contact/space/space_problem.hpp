@@ -38,6 +38,9 @@ struct SpaceProblem {
   std::vector<SpaceRow> rows;     ///< acceleration_names() beyond the unknowns: gaps and slips
 };
 
+/// Throws InputError for an impact by Poisson's law.
+void refuse_poisson_in_space(const Mechanism& mechanism);
+
 /// At the scene's load. Throws InputError for what such a problem cannot express: a guide with friction, a static
 /// coefficient of its own at rest, a contact whose lift is not modelled, a load without a value, a division by 0, an
 /// impact by Poisson's law.

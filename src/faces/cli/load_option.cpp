@@ -60,6 +60,15 @@ void add_place_effort_option(CLI::App& command, std::uint64_t& effort) {
       ->capture_default_str();
 }
 
+void add_law_option(CLI::App& command, std::string& law, const std::string& otherwise) {
+  command
+      .add_option("--law", law,
+                  "newton: opening after is e times approach before; moreau: the same at all closed contacts; poisson: "
+                  "the impulse of restitution is e times that of compression; default: " +
+                      otherwise)
+      ->check(CLI::IsMember({"newton", "moreau", "poisson"}));
+}
+
 MechanismScene at_load(const MechanismScene& scene, const std::string& load) {
   if (load.empty()) return scene;
   if (!scene.mechanism.load) {

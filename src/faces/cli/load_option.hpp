@@ -1,4 +1,4 @@
-// Options that are numbers or views: --load of commands that answer at one load of a scene, ranges, limits, --from.
+// Options of several commands: --load of commands that answer at one load of a scene, ranges, limits, --from, --law.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -27,6 +27,9 @@ void add_load_option(CLI::App& command, std::string& load);
 void add_view_option(CLI::App& command, std::string& from);
 /// In space, of each place of a map or along a parameter.
 void add_place_effort_option(CLI::App& command, std::uint64_t& effort);
+
+/// --law: an impact's; stays empty without the option. `otherwise`: by what law impacts are without it.
+void add_law_option(CLI::App& command, std::string& law, const std::string& otherwise);
 
 /// The scene at that load; as it is if it is empty. Throws CLI::ValidationError where it is no number, or the mechanism
 /// has no load.

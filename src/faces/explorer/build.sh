@@ -165,7 +165,7 @@ library() {
   wing base '^base/(algebra|expression|input|number|rounding)/|^base/output/json|^base/files/(json_tree|words)|^base/parallel/failure'
   wing mechanics '^mechanics/(elements|kernel|mechanism|points|bodies|states|reading|scene|impact|family|lines|planes)/|^mechanics/checks/kinds'
   wing floating '^floating/batch/tier'
-  wing contact '^contact/problem/|^contact/formats/(json_problem|read_json_problem|problem_check)|^contact/judge/(all_solutions|small|verdict)|^contact/impact/impact_energy'
+  wing contact '^contact/problem/|^contact/formats/(json_problem|read_json_problem|problem_check)|^contact/judge/(all_solutions|small|verdict)'
   wing report '^report/(markup|document|values|phase|picture/(arrows|frame|labels))/|^report/picture/(drawing|me|mo|p|s)[a-z_]*[.]cpp|velocities/|scenes/mechanism|explorer/portable'
   wing records '^records/(record|reading)/|^records/judging/(answer|exact_judge|explanation|forces_near|judge)|^records/problems/problem_(judge|reader)|^records/certify/output_line'
   for file in "$here"/*.cpp "$here/missing/space_memory.cpp" "$folder/shipped.cpp"; do

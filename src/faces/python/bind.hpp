@@ -12,9 +12,9 @@
 namespace slipproof::python {
 
 /// The mechanism of a text, which messages call `name`, or without one that of a file or a shipped one. Throws
-/// InputError, also for one in other dimensions.
+/// InputError, also for one in other dimensions, or without bodies for an impact.
 Mechanism mechanism_of(const std::string& name, const std::optional<std::string>& text,
-                       Dimensions dimensions = Dimensions::plane);
+                       const MechanismRequest& request = Dimensions::plane);
 
 void bind_errors(pybind11::module_& module);
 void bind_calls(pybind11::module_& module);

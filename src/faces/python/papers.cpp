@@ -87,12 +87,8 @@ py::tuple check(const std::vector<std::string>& paths) {
 }
 
 Report search_report(const std::string& name, const std::optional<std::string>& text, const std::string& within,
-                     SearchOptions options, Call& call) {
-  Mechanism mechanism = mechanism_of(name, text, Dimensions::any);
-  if (mechanism.dimension == 3) {
-    mechanism = without_load(mechanism);
-    options.in_space = found_in_space;
-  }
+                     const MechanismRequest& request, SearchOptions options, Call& call) {
+  Mechanism mechanism = mechanism_to_search(mechanism_of(name, text, request), options);
   if (!within.empty()) mechanism = narrowed(mechanism, within, "within");
   options.progress = [&call](std::uint64_t done, std::uint64_t all) { call.at(done, all); };
   MotionSearch search(mechanism, options);
@@ -102,19 +98,17 @@ Report search_report(const std::string& name, const std::optional<std::string>& 
 
 py::tuple search(const std::string& name, const std::optional<std::string>& text, const std::string& within,
                  std::optional<std::uint64_t> samples, std::uint64_t seed, const std::optional<std::string>& wanted,
-                 bool hysteresis, unsigned threads, const py::object& progress) {
+                 bool hysteresis, const std::optional<std::string>& law, unsigned threads, const py::object& progress) {
   SearchOptions options;
   options.samples = samples;
   options.seed = seed;
   options.threads = threads;
   options.hysteresis = hysteresis;
-  if (wanted) {
-    options.wanted = *wanted == "none"      ? MotionCount::none
-                     : *wanted == "several" ? MotionCount::several
-                                            : MotionCount::continuum;
-  }
+  if (wanted) options.wanted = parse_search_for(*wanted);
+  MechanismRequest request = Dimensions::any;
+  if (law) request.impact = ImpactRequest{parse_impact_law(*law)};
   const Report report =
-      interruptible([=](Call& call) { return search_report(name, text, within, options, call); }, progress);
+      interruptible([=](Call& call) { return search_report(name, text, within, request, options, call); }, progress);
   return py::make_tuple(report.json, report.text, report.summary);
 }
 

@@ -260,9 +260,11 @@ py::dict described(const Mechanism& mechanism) {
 
 }  // namespace
 
-Mechanism mechanism_of(const std::string& name, const std::optional<std::string>& text, Dimensions dimensions) {
-  Mechanism mechanism = text ? parse_mechanism(*text, name) : open_mechanism(name, {}, Dimensions::any);
-  refuse_other(mechanism, dimensions);
+Mechanism mechanism_of(const std::string& name, const std::optional<std::string>& text,
+                       const MechanismRequest& request) {
+  Mechanism mechanism =
+      text ? parse_mechanism(*text, name, request.impact) : open_mechanism(name, {}, {Dimensions::any, request.impact});
+  refuse_other(mechanism, request.dimensions);
   return mechanism;
 }
 

@@ -268,4 +268,18 @@ Mechanism impact_of(const Mechanism& mechanism, const Bodies& bodies, const Body
                     derivation("_compression").derive(geometry, approaches), restitution, mistakes);
 }
 
+Mechanism with_approach(Mechanism mechanism) {
+  std::vector<Expression> approaches;
+  for (const MechanismImpact::Contact& contact : mechanism.impact->contacts) {
+    if (contact.opening) approaches.push_back(make_comparison({contact.opening, zero_literal()}, {Relation::less}));
+  }
+  if (approaches.empty()) {
+    throw InputError({{mechanism.file, 0, 0, "found no contact that is closed, expected one that approaches"}});
+  }
+  const Expression any =
+      approaches.size() == 1 ? approaches.front() : make(Operation::logical_or, std::move(approaches));
+  mechanism.assume.push_back({"approach", {any, PlacedText()}});
+  return mechanism;
+}
+
 }  // namespace slipproof

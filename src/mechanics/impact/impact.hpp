@@ -27,4 +27,8 @@ using Approaches = std::vector<std::optional<int>>;
 Mechanism impact_of(const Mechanism& mechanism, const Bodies& bodies, const BodyGeometry& geometry,
                     const Approaches& approaches, ImpactLaw law, Mistakes& mistakes);
 
+/// The mechanism of an impact, with a domain that holds only points at which some contact approaches. Throws InputError
+/// if no contact is closed.
+Mechanism with_approach(Mechanism mechanism);
+
 }  // namespace slipproof

@@ -75,4 +75,18 @@ std::vector<FoundOverLoads> found_over_loads(const FrictionProblem& problem,
   return all;
 }
 
+FoundMotions found_outcomes(const FrictionProblem& problem, const std::vector<std::size_t>& not_modelled,
+                            const ImpactEnergy& energy) {
+  const MotionsAtLoad at = motions_of(problem, std::nullopt);
+  FoundMotions found = found_in(cell_of(at), not_modelled);
+  const auto add = [&](const Range& after) { found.energy = std::max(found.energy, energy.balance(after)); };
+  if (!energy.is_driven()) found.energy = EnergyBalance::not_gained;
+  for (const MotionAtLoad& outcome : at.motions) {
+    const Rational after = energy.of(outcome.accelerations);
+    add({after, after});
+  }
+  for (const ContinuumAtLoad& outcomes : at.continua) add(energy.of(outcomes.accelerations));
+  return found;
+}
+
 }  // namespace slipproof

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mechanics/impact/impact_energy.hpp"
 #include "mechanics/kernel/motions.hpp"
 #include "mechanics/points/problem.hpp"
 
@@ -37,6 +38,8 @@ struct FoundMotions {
   std::vector<MechanismMode> continua;
   std::vector<std::size_t> not_modelled;   ///< contacts that do not open for want of a parameter
   std::vector<std::string> in_space = {};  ///< there the modes of the motions, in place of `modes`: `slip/lift`
+  /// Of an impact: the greatest of its outcomes' balances.
+  EnergyBalance energy = EnergyBalance::not_judged;
 
   std::size_t motions() const { return modes.size() + on_boundary + in_space.size(); }
   auto operator<=>(const FoundMotions&) const = default;
@@ -55,5 +58,9 @@ struct FoundOverLoads {
 /// most max_modes modes. If hysteresis is kept apart, loads of several motions are divided where it begins and ends.
 std::vector<FoundOverLoads> found_over_loads(const FrictionProblem& problem,
                                              const std::vector<std::size_t>& not_modelled, bool hysteresis_apart);
+
+/// The outcomes of an impact, whose problem has no load; the rest is as before.
+FoundMotions found_outcomes(const FrictionProblem& problem, const std::vector<std::size_t>& not_modelled,
+                            const ImpactEnergy& energy);
 
 }  // namespace slipproof

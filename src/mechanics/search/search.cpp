@@ -2,13 +2,25 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "base/crew/crew.hpp"
+#include "base/input/diagnostic.hpp"
 #include "base/parallel/in_parallel.hpp"
 #include "mechanics/search/search_bytes.hpp"
 
 namespace slipproof {
+
+std::string_view name(SearchFor what) {
+  return search_words[static_cast<std::size_t>(what)];
+}
+
+std::optional<SearchFor> parse_search_for(std::string_view text) {
+  const auto found = std::ranges::find(search_words, text);
+  if (found == search_words.end()) return std::nullopt;
+  return static_cast<SearchFor>(found - search_words.begin());
+}
 
 std::uint64_t default_samples(const Mechanism& mechanism) {
   if (mechanism.dimension == 3) return 30;
@@ -19,6 +31,20 @@ std::uint64_t default_samples(const Mechanism& mechanism) {
 namespace {
 
 enum class SearchQuestion : std::uint64_t { sample, simplify };
+
+bool is(const FoundMotions& found, SearchFor what) {
+  switch (what) {
+    case SearchFor::none:
+      return found.count == MotionCount::none;
+    case SearchFor::several:
+      return found.count == MotionCount::several;
+    case SearchFor::continuum:
+      return found.count == MotionCount::continuum;
+    case SearchFor::gain:
+      break;
+  }
+  return found.energy == EnergyBalance::gained;
+}
 
 }  // namespace
 
@@ -104,10 +130,11 @@ class MotionSearch::Run {
   void add(const FoundMotions& found, const std::vector<FoundOverLoads>& all, const MechanismValues& values,
            Shown& shown) const {
     shown.counts.insert(found.count);
-    if (found.count == MotionCount::undecided) shown.one_everywhere = false;
-    if (found.count == MotionCount::hysteresis || found.count == MotionCount::undecided) return;
+    shown.energy = std::max(shown.energy, found.energy);
+    if (found.count == MotionCount::hysteresis) return;
     shown.one_everywhere = shown.one_everywhere && found.count == MotionCount::one;
-    if (options_.wanted && (found.count != *options_.wanted || !shown.places.empty())) return;
+    if (found.count == MotionCount::undecided && found.energy != EnergyBalance::gained) return;
+    if (options_.wanted && (!is(found, *options_.wanted) || !shown.places.empty())) return;
     const auto same = [&](const auto& place) { return place.first == found; };
     if (std::any_of(shown.places.begin(), shown.places.end(), same)) return;
     shown.places.emplace_back(found, *finder_.place_of(found, all, values));
@@ -119,6 +146,7 @@ class MotionSearch::Run {
     if (shown.end != Shown::End::found) return;
     ++result_.samples;
     if (shown.one_everywhere) ++result_.one_everywhere;
+    ++result_.energies[static_cast<std::size_t>(shown.energy)];
     for (const MotionCount what : shown.counts) ++result_.with[static_cast<std::size_t>(what)];
     for (const auto& [found, place] : shown.places) {
       Kept& kept = kept_[found];
@@ -139,7 +167,8 @@ class MotionSearch::Run {
       result_.cells.push_back({found, kept.samples, *kept.simplest.place, kept.realisable.place});
     }
     std::stable_sort(result_.cells.begin(), result_.cells.end(), [&](const SearchCell& x, const SearchCell& y) {
-      return std::pair(rank(x.found.count), y.samples) < std::pair(rank(y.found.count), x.samples);
+      return std::tuple(rank(x.found.count), y.found.energy, y.samples) <
+             std::tuple(rank(y.found.count), x.found.energy, x.samples);
     });
     const std::vector<SearchCell> found = result_.cells;
     const auto request = [&](std::uint64_t i) {
@@ -181,6 +210,10 @@ class MotionSearch::Run {
 };
 
 MotionSearch::MotionSearch(const Mechanism& mechanism, const SearchOptions& options) {
+  if (options.wanted == SearchFor::gain && !mechanism.impact) {
+    throw InputError({{mechanism.file, 0, 0,
+                       "found no impact, which alone may gain energy, expected bodies, read with a law of impact"}});
+  }
   run_ = std::make_unique<Run>(mechanism, options);
 }
 

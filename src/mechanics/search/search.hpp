@@ -17,12 +17,23 @@ namespace slipproof {
 
 class Crew;
 
+/// What is looked for alone.
+enum class SearchFor : std::uint8_t {
+  none,
+  several,
+  continuum,
+  gain  ///< an outcome of an impact with more energy than before
+};
+inline constexpr std::array<std::string_view, 4> search_words{"none", "several", "continuum", "gain"};
+std::string_view name(SearchFor what);                             ///< one of search_words
+std::optional<SearchFor> parse_search_for(std::string_view text);  ///< nothing unless as written by name()
+
 struct SearchOptions {
   std::optional<std::uint64_t> samples;  ///< by default as many as take some seconds: default_samples()
   std::uint64_t seed = 1;
-  unsigned threads = 0;               ///< 0: all cores
-  std::optional<MotionCount> wanted;  ///< this alone, and the first of it ends the search
-  bool hysteresis = false;            ///< hysteresis counts as several motions
+  unsigned threads = 0;             ///< 0: all cores
+  std::optional<SearchFor> wanted;  ///< this alone, and the first of it ends the search
+  bool hysteresis = false;          ///< hysteresis counts as several motions
   /// For a mechanism in space, which has no load: without_load() makes it a parameter.
   FindInSpace in_space = {};
   /// Called now and then, from one thread, with the number of samples done and of all.
@@ -42,11 +53,14 @@ struct SearchResult {
   std::uint64_t samples = 0;         ///< points found in the domain at which everything has a value
   std::uint64_t without_value = 0;   ///< points at which something divides by zero
   std::uint64_t one_everywhere = 0;  ///< samples with one motion at every load, hysteresis and undecided left out
-  std::array<std::uint64_t, motion_counts> with{};  ///< by MotionCount: samples that have it at some load
-  /// Findings without hysteresis: none first, then several, continua, none_modelled, and one; frequent ones first.
+  std::array<std::uint64_t, motion_counts> with{};        ///< by MotionCount: samples that have it at some load
+  std::array<std::uint64_t, energy_balances> energies{};  ///< by EnergyBalance: samples with it as the greatest
+  /// Findings without hysteresis: none first, then several, continua, none_modelled, and one; those that gain energy
+  /// first, then frequent ones. Undecided ones, the last, if they gain energy.
   std::vector<SearchCell> cells;
 
   std::uint64_t count(MotionCount what) const { return with[static_cast<std::size_t>(what)]; }
+  std::uint64_t count(EnergyBalance what) const { return energies[static_cast<std::size_t>(what)]; }
 };
 
 /// Fewer for a mechanism with more modes.
@@ -55,7 +69,8 @@ std::uint64_t default_samples(const Mechanism& mechanism);
 /// search_motions() in requests that any rank can answer.
 class MotionSearch {
  public:
-  /// What is given must outlive it. Throws InputError for more modes than are tried.
+  /// What is given must outlive it. Throws InputError for more modes than are tried, and for a gain of energy that is
+  /// looked for in what is no impact.
   MotionSearch(const Mechanism& mechanism, const SearchOptions& options);
   ~MotionSearch();
 

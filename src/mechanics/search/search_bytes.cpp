@@ -36,6 +36,7 @@ void write_found(ByteWriter& bytes, const FoundMotions& found) {
   write_numbers(bytes, found.not_modelled);
   bytes.number(found.in_space.size());
   for (const std::string& mode : found.in_space) bytes.text(mode);
+  bytes.number(static_cast<std::uint64_t>(found.energy));
 }
 
 FoundMotions read_found(ByteReader& bytes) {
@@ -46,6 +47,7 @@ FoundMotions read_found(ByteReader& bytes) {
   found.continua = read_modes(bytes);
   found.not_modelled = read_numbers<std::size_t>(bytes);
   for (std::uint64_t left = bytes.number(); left > 0; --left) found.in_space.emplace_back(bytes.text());
+  found.energy = static_cast<EnergyBalance>(bytes.number());
   return found;
 }
 
@@ -78,7 +80,7 @@ SearchPlace read_place(ByteReader& bytes) {
 std::string shown_bytes(const Shown& shown) {
   ByteWriter bytes;
   bytes.number(static_cast<std::uint64_t>(shown.end)).number(shown.one_everywhere ? 1 : 0);
-  bytes.number(shown.realisable ? 1 : 0);
+  bytes.number(shown.realisable ? 1 : 0).number(static_cast<std::uint64_t>(shown.energy));
   write_numbers(bytes, std::vector<MotionCount>(shown.counts.begin(), shown.counts.end()));
   bytes.number(shown.places.size());
   for (const auto& [found, place] : shown.places) {
@@ -94,6 +96,7 @@ Shown read_shown(std::string_view text) {
   shown.end = static_cast<Shown::End>(bytes.number());
   shown.one_everywhere = bytes.number() != 0;
   shown.realisable = bytes.number() != 0;
+  shown.energy = static_cast<EnergyBalance>(bytes.number());
   for (const MotionCount count : read_numbers<MotionCount>(bytes)) shown.counts.insert(count);
   for (std::uint64_t left = bytes.number(); left > 0; --left) {
     FoundMotions found = read_found(bytes);

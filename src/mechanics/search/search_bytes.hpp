@@ -17,6 +17,7 @@ struct Shown {
   enum class End : std::uint8_t { no_point, no_value, found } end = End::no_point;
   bool one_everywhere = true, realisable = false;
   std::set<MotionCount> counts;
+  EnergyBalance energy = EnergyBalance::not_judged;
   std::vector<std::pair<FoundMotions, SearchPlace>> places;  ///< each set of motions once, by load
 };
 

@@ -28,7 +28,9 @@ std::vector<FoundOverLoads> MotionFinder::at(const MechanismValues& values) cons
   for (std::size_t i = 0; i < mechanism_->contacts.size(); ++i) {
     if (!missing_for_lift(mechanism_->contacts[i], values.given).empty()) not_modelled.push_back(i);
   }
-  return found_over_loads(without_equations(problem), not_modelled, hysteresis_apart_);
+  if (!mechanism_->impact) return found_over_loads(without_equations(problem), not_modelled, hysteresis_apart_);
+  const ImpactEnergy energy(*mechanism_, maker_, values, std::nullopt);
+  return {{found_outcomes(without_equations(problem), not_modelled, energy), ForceInterval()}};
 }
 
 std::optional<SearchPlace> MotionFinder::place_of(const FoundMotions& wanted, const std::vector<FoundOverLoads>& all,

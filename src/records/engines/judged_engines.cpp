@@ -9,8 +9,8 @@
 #include "base/input/toml.hpp"
 #include "base/number/binary64.hpp"
 #include "base/parallel/in_parallel.hpp"
-#include "contact/impact/impact_energy.hpp"
 #include "contact/problem/tolerance.hpp"
+#include "records/judging/exact_judge.hpp"
 #include "records/judging/record_judge.hpp"
 
 namespace slipproof {
@@ -74,12 +74,7 @@ class SceneJudge {
  private:
   std::optional<double> gained(const Record& record) const {
     if (energy_->before().is_zero()) return std::nullopt;
-    std::vector<Range> after;
-    for (std::size_t i = 0; i < energy_->velocities().size(); ++i) {
-      const Rational velocity = record.exactly(judge_.fields().first_answer() + i);
-      after.push_back({velocity, velocity});
-    }
-    return nearest_binary64((*energy_->of(after).lower - energy_->before()) / energy_->before());
+    return nearest_binary64(energy_gained(*energy_, record, judge_.fields().first_answer()) / energy_->before());
   }
 
   const MechanismScene scene_;

@@ -4,7 +4,6 @@
 
 #include "base/number/binary64.hpp"
 #include "base/output/json.hpp"
-#include "contact/impact/impact_energy.hpp"
 #include "mechanics/kernel/kinematic_modes.hpp"
 #include "mechanics/points/sampling.hpp"
 #include "records/judging/answer.hpp"
@@ -192,12 +191,7 @@ RecordJudgement undecided_record(Work needed, const JudgeOptions& options) {
 std::string energy_members(const RecordSetting& setting, const Record& record, const RecordPoint& point,
                            double tolerance) {
   const ImpactEnergy energy(setting.certified.mechanism, setting.maker, point.values, point.load);
-  std::vector<Range> after;
-  for (std::size_t i = 0; i < energy.velocities().size(); ++i) {
-    const Rational velocity = record.exactly(setting.fields.first_answer() + i);
-    after.push_back({velocity, velocity});
-  }
-  const Rational work = *energy.of(after).lower - energy.before();
+  const Rational work = energy_gained(energy, record, setting.fields.first_answer());
   const bool known = !energy.is_driven() && abs(work) > to_rational(tolerance) * energy.before();
   const Json members{{"energy",
                       {{"before", nearest_binary64(energy.before())},
@@ -207,6 +201,12 @@ std::string energy_members(const RecordSetting& setting, const Record& record, c
 }
 
 }  // namespace
+
+Rational energy_gained(const ImpactEnergy& energy, const Record& record, std::size_t first_answer) {
+  std::vector<Rational> after;
+  for (std::size_t i = 0; i < energy.velocities().size(); ++i) after.push_back(record.exactly(first_answer + i));
+  return energy.of(after) - energy.before();
+}
 
 ExactJudge::ExactJudge(const RecordSetting& setting, const JudgeOptions& options, const SpaceMemory& in_space)
     : setting_(setting), options_(options), in_space_(in_space) {}

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "mechanics/impact/impact_energy.hpp"
 #include "records/judging/judge.hpp"
 #include "records/record/point.hpp"
 
@@ -32,5 +33,8 @@ class ExactJudge {
   const SpaceMemory& in_space_;
   std::unique_ptr<KnownPoint> known_;  ///< point of the previous record
 };
+
+/// The kinetic energy that the velocities of a record add to that before its impact. They begin at `first_answer`.
+Rational energy_gained(const ImpactEnergy& energy, const Record& record, std::size_t first_answer);
 
 }  // namespace slipproof

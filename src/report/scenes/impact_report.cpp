@@ -102,20 +102,6 @@ class ImpactText : public ImpactReport {
   std::string text_of(const Range& range) const { return range_text(range, digits_); }
   std::string text_of(const Rational& number) const { return number_text(number, digits_); }
 
-  /// `loses 25 %`, where both energies are known.
-  std::string energy_words(const ImpactOutcome& outcome) const {
-    if (solved_.driven) return "bodies that move as prescribed may put energy in";
-    const bool known = outcome.energy.lower && outcome.energy.upper && !solved_.energy.is_zero();
-    if (!outcome.gains || !known) return "not known whether energy is gained";
-    const Range& after = outcome.energy;
-    if (after.is_point() && *after.lower == solved_.energy) return "no energy is lost";
-    const Rational end = *outcome.gains ? *after.lower : *after.upper;
-    const Rational share = (end - solved_.energy) * 100 / solved_.energy;
-    const std::string least = after.is_point() ? "" : "at least ";
-    if (*outcome.gains) return "GAINS " + least + decimal_text(share, 4) + " % of the energy";
-    return "loses " + least + decimal_text(-share, 4) + " % of the energy";
-  }
-
   void write(Document& document, const ImpactOutcome& outcome) const {
     const auto same = [](const std::string& mode) { return mode; };
     constexpr std::size_t shown = 8;
@@ -125,7 +111,7 @@ class ImpactText : public ImpactReport {
     if (outcome.modes.size() > shown) heading += " and " + counted(outcome.modes.size() - shown, "other");
     Document& below = document.section(heading + (outcome.continuum ? "  a continuum" : "") +
                                        (outcome.strict ? "  (strict)" : "  (boundary)"));
-    below.line(energy_words(outcome));
+    below.line(energy_words(solved_, outcome));
     ReportTable& table = below.table({{"", "before", "after"}});
     for (std::size_t i = 0; i < solved_.velocities.size(); ++i) {
       table.row({motion_[i], text_of(solved_.velocities[i]), text_of(outcome.motion[i])});
@@ -169,9 +155,6 @@ class ImpactDocument : public ImpactReport {
   }
 
  private:
-  /// A fraction where it is known exactly, otherwise [lower, upper].
-  static Json value(const Range& range) { return range.is_point() ? to_json(*range.lower) : ends_json(range); }
-
   Json before() const {
     Json velocities = Json::object(), contacts = Json::object();
     for (std::size_t i = 0; i < solved_.velocities.size(); ++i) {
@@ -191,24 +174,46 @@ class ImpactDocument : public ImpactReport {
 
   Json of(const ImpactOutcome& outcome) const {
     Json velocities = Json::object(), contacts = Json::object(), impulses = Json::object();
-    for (std::size_t i = 0; i < m_.accelerations; ++i) velocities[motion_[i]] = value(outcome.motion[i]);
+    for (std::size_t i = 0; i < m_.accelerations; ++i) velocities[motion_[i]] = range_value(outcome.motion[i]);
     for (std::size_t i = 0; i < solved_.contacts.size(); ++i) {
       for (const ContactVelocity& one : contact_velocities(outcome, i)) {
-        contacts[impact_.contacts[i].name][one.name] = value(one.after);
+        contacts[impact_.contacts[i].name][one.name] = range_value(one.after);
       }
     }
     for (std::size_t i = 0; i < impulses_.size(); ++i) {
-      impulses[impulses_[i]] = outcome.impulses[i] ? value(*outcome.impulses[i]) : Json(nullptr);
+      impulses[impulses_[i]] = outcome.impulses[i] ? range_value(*outcome.impulses[i]) : Json(nullptr);
     }
-    return {{"modes", outcome.modes},          {"status", outcome.strict ? "strict" : "boundary"},
-            {"continuum", outcome.continuum},  {"exists", outcome.exists},
-            {"unique", outcome.unique},        {"velocities", std::move(velocities)},
-            {"contacts", std::move(contacts)}, {"impulses", std::move(impulses)},
-            {"energy", value(outcome.energy)}, {"gains_energy", outcome.gains ? Json(*outcome.gains) : Json(nullptr)}};
+    return {{"modes", outcome.modes},
+            {"status", outcome.strict ? "strict" : "boundary"},
+            {"continuum", outcome.continuum},
+            {"exists", outcome.exists},
+            {"unique", outcome.unique},
+            {"velocities", std::move(velocities)},
+            {"contacts", std::move(contacts)},
+            {"impulses", std::move(impulses)},
+            {"energy", range_value(outcome.energy)},
+            {"gains_energy", outcome.gains ? Json(*outcome.gains) : Json(nullptr)}};
   }
 };
 
 }  // namespace
+
+std::string energy_words(const SolvedImpact& solved, const ImpactOutcome& outcome) {
+  if (solved.driven) return "bodies that move as prescribed may put energy in";
+  const bool known = outcome.energy.lower && outcome.energy.upper && !solved.energy.is_zero();
+  if (!outcome.gains || !known) return "not known whether energy is gained";
+  const Range& after = outcome.energy;
+  if (after.is_point() && *after.lower == solved.energy) return "no energy is lost";
+  const Rational end = *outcome.gains ? *after.lower : *after.upper;
+  const Rational share = (end - solved.energy) * 100 / solved.energy;
+  const std::string least = after.is_point() ? "" : "at least ";
+  if (*outcome.gains) return "GAINS " + least + decimal_text(share, 4) + " % of the energy";
+  return "loses " + least + decimal_text(-share, 4) + " % of the energy";
+}
+
+Json range_value(const Range& range) {
+  return range.is_point() ? to_json(*range.lower) : ends_json(range);
+}
 
 Document impact_document(const SolvedImpact& solved, int digits) {
   return ImpactText(solved, digits).whole();

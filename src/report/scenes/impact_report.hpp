@@ -14,4 +14,10 @@ Document impact_document(const SolvedImpact& solved, int digits);
 Json impact_value(const SolvedImpact& solved);
 std::string impact_json(const SolvedImpact& solved);
 
+/// Whether an outcome gains energy: `GAINS 37.5 % of the energy`, `loses at least 12 % of the energy`.
+std::string energy_words(const SolvedImpact& solved, const ImpactOutcome& outcome);
+
+/// A range as JSON: a fraction where it is a point, otherwise [lower, upper].
+Json range_value(const Range& range);
+
 }  // namespace slipproof

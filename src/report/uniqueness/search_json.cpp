@@ -1,3 +1,4 @@
+#include "report/scenes/impact_report.hpp"
 #include "report/uniqueness/search_report.hpp"
 #include "report/values/mode_json.hpp"
 
@@ -11,19 +12,46 @@ Json place_json(const Mechanism& mechanism, const SearchPlace& place) {
   return object;
 }
 
+/// Energies at a place of an impact.
+Json energy_json(const Mechanism& mechanism, const SearchPlace& place) {
+  const SolvedImpact solved = impact_at(mechanism, place);
+  Json outcomes = Json::array();
+  for (const ImpactOutcome& outcome : solved.outcomes) {
+    Range gain = outcome.energy;
+    if (gain.lower) *gain.lower -= solved.energy;
+    if (gain.upper) *gain.upper -= solved.energy;
+    outcomes.push_back({{"modes", outcome.modes},
+                        {"after", range_value(outcome.energy)},
+                        {"gain", range_value(gain)},
+                        {"gains_energy", outcome.gains ? Json(*outcome.gains) : Json(nullptr)}});
+  }
+  return {{"before", to_json(solved.energy)}, {"outcomes", std::move(outcomes)}};
+}
+
+Json gains_json(EnergyBalance balance) {
+  if (balance == EnergyBalance::gained || balance == EnergyBalance::not_gained) return balance == EnergyBalance::gained;
+  return nullptr;
+}
+
 Json cell_json(const Mechanism& mechanism, const SearchCell& cell) {
   Json modes = Json::array(), not_modelled = Json::array();
   for (const auto& motion : cell.found.modes) modes.push_back(names_json(motion));
   for (const std::string& mode : cell.found.in_space) modes.push_back(Json::array({mode}));
   for (const std::size_t contact : cell.found.not_modelled) not_modelled.push_back(mechanism.contacts[contact].name);
-  return {{"modes", std::move(modes)},
-          {"motions", cell.found.motions()},
-          {"on_boundary", cell.found.on_boundary},
-          {"continua", names_json(cell.found.continua)},
-          {"not_modelled", std::move(not_modelled)},
-          {"samples", cell.samples},
-          {"simplest", place_json(mechanism, cell.simplest)},
-          {"simplest_realisable", cell.realisable ? place_json(mechanism, *cell.realisable) : Json(nullptr)}};
+  Json object{{"modes", std::move(modes)},
+              {"motions", cell.found.motions()},
+              {"on_boundary", cell.found.on_boundary},
+              {"continua", names_json(cell.found.continua)},
+              {"not_modelled", std::move(not_modelled)},
+              {"samples", cell.samples},
+              {"simplest", place_json(mechanism, cell.simplest)},
+              {"simplest_realisable", cell.realisable ? place_json(mechanism, *cell.realisable) : Json(nullptr)}};
+  if (mechanism.impact) {
+    const EnergyBalance balance = cell.found.energy;
+    object["gains_energy"] = gains_json(balance);
+    object["energy"] = balance == EnergyBalance::gained ? energy_json(mechanism, cell.simplest) : Json(nullptr);
+  }
+  return object;
 }
 
 Json proof_json(const UniqueEverywhere& proof) {
@@ -55,6 +83,11 @@ std::string search_json(const SearchReport& report) {
     document[std::string(name(count))] = result.count(count);
   }
   if (report.mechanism.dimension == 3) document["undecided"] = result.count(MotionCount::undecided);
+  if (report.mechanism.impact) {
+    document["gain"] = result.count(EnergyBalance::gained);
+    document["energy_undecided"] = result.count(EnergyBalance::undecided);
+    document["energy_not_judged"] = result.count(EnergyBalance::not_judged);
+  }
   document["cells"] = Json::array();
   for (const SearchCell& cell : result.cells) document["cells"].push_back(cell_json(report.mechanism, cell));
   return dump(document);

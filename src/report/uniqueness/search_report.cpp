@@ -8,7 +8,10 @@
 
 #include "base/number/format.hpp"
 #include "base/output/listed.hpp"
+#include "contact/impact/solve_impact.hpp"
 #include "mechanics/points/sampling.hpp"
+#include "report/scenes/impact_report.hpp"
+#include "report/values/number_text.hpp"
 
 namespace slipproof {
 
@@ -17,7 +20,8 @@ namespace {
 bool finds_something(const SearchReport& report) {
   const SearchResult& result = report.result;
   return report.options.wanted ? !result.cells.empty()
-                               : result.one_everywhere + result.count(MotionCount::undecided) < result.samples;
+                               : result.one_everywhere + result.count(MotionCount::undecided) < result.samples ||
+                                     result.count(EnergyBalance::gained) > 0;
 }
 
 }  // namespace
@@ -33,7 +37,9 @@ SearchReport searched(const Mechanism& mechanism, const SearchOptions& options, 
 SearchVerdict verdict(const SearchReport& report) {
   if (report.result.samples == 0) return SearchVerdict::undecided;
   if (finds_something(report)) return SearchVerdict::found;
-  if (report.result.count(MotionCount::undecided) > 0) return SearchVerdict::undecided;
+  const SearchResult& result = report.result;
+  if (result.count(MotionCount::undecided) + result.count(EnergyBalance::undecided) > 0)
+    return SearchVerdict::undecided;
   return report.proof ? SearchVerdict::unique : SearchVerdict::none_found;
 }
 
@@ -54,6 +60,8 @@ const char* title(MotionCount count) {
       return "Several motions";
     case MotionCount::continuum:
       return "A continuum of motions";
+    case MotionCount::undecided:
+      return "Undecided whether there are other motions";
     default:
       return "One motion";
   }
@@ -79,10 +87,43 @@ std::string motions_text(const FoundMotions& found) {
   return listed(words, "; ");
 }
 
+}  // namespace
+
+SolvedImpact impact_at(const Mechanism& mechanism, const SearchPlace& place) {
+  return solve_impact({mechanism.name, mechanism, place.values, place.load, {}});
+}
+
+namespace {
+
+std::string energy_text(const Range& energy) {
+  return energy.is_point() ? exact_text(*energy.lower) : "within " + range_text(energy, 6);
+}
+
+/// The energies at a place at which some outcome gains energy.
+void write_energies(Document& document, const Mechanism& mechanism, const SearchPlace& place) {
+  const SolvedImpact solved = impact_at(mechanism, place);
+  for (const ImpactOutcome& outcome : solved.outcomes) {
+    document.paragraph(fmt::format("{} {}: {} before, {} after", outcome.modes.front(), energy_words(solved, outcome),
+                                   exact_text(solved.energy), energy_text(outcome.energy)));
+  }
+}
+
 std::string place_text(const Mechanism& mechanism, const SearchPlace& place) {
   std::string text = values_text(mechanism, place.values);
   if (place.load) text += ", " + mechanism.load->symbol + " = " + exact_text(*place.load);
   return text;
+}
+
+/// How often an impact gains energy.
+void write_balance(Document& document, const SearchResult& result) {
+  document.paragraph(fmt::format("energy is gained at {} of them", result.count(EnergyBalance::gained)));
+  if (const auto count = result.count(EnergyBalance::undecided); count > 0) {
+    document.paragraph("undecided whether energy is gained at " + counted(count, "sample"));
+  }
+  if (const auto count = result.count(EnergyBalance::not_judged); count > 0) {
+    document.paragraph("energy is not judged at " + counted(count, "sample") +
+                       ": bodies that move as prescribed may put energy in");
+  }
 }
 
 void write_head(Document& document, const SearchReport& report) {
@@ -109,6 +150,7 @@ void write_head(Document& document, const SearchReport& report) {
     document.paragraph(
         fmt::format("one motion {}at {} of them", mechanism.load ? "at every load " : "", result.one_everywhere));
   }
+  if (mechanism.impact && result.samples > 0 && !report.options.wanted) write_balance(document, result);
   if (const auto count = result.count(MotionCount::undecided); count > 0) {
     document.paragraph("undecided at " + counted(count, "sample") +
                        ": one motion or none is known there, and that there is no other is not proved");
@@ -121,12 +163,14 @@ void write_head(Document& document, const SearchReport& report) {
 }
 
 void write_cell(Document& document, const Mechanism& mechanism, const SearchCell& cell) {
-  Document& below = document.item(motions_text(cell.found));
+  const bool gains = cell.found.energy == EnergyBalance::gained;
+  Document& below = document.item(motions_text(cell.found) + (gains ? ", with a gain of energy" : ""));
   for (const std::size_t contact : cell.found.not_modelled) {
     below.paragraph("where it is not modelled that the contact " + mechanism.contacts[contact].name + " opens");
   }
   const std::string simplest = place_text(mechanism, cell.simplest);
-  below.paragraph(counted(cell.samples, "sample") + ", at " + simplest);
+  below.paragraph(counted(cell.samples, "sample") + (simplest.empty() ? "" : ", at " + simplest));
+  if (gains) write_energies(below, mechanism, cell.simplest);
   if (mechanism.realisable.empty()) return;
   const std::string built = cell.realisable ? place_text(mechanism, *cell.realisable) : "";
   if (!cell.realisable) {
@@ -150,6 +194,7 @@ std::string last_line(const SearchReport& report) {
                         result.count(MotionCount::several), result.count(MotionCount::continuum),
                         result.count(MotionCount::hysteresis));
     if (report.mechanism.dimension == 3) line += fmt::format(" undecided {}", result.count(MotionCount::undecided));
+    if (report.mechanism.impact) line += fmt::format(" gain {}", result.count(EnergyBalance::gained));
   }
   return line + (verdict == SearchVerdict::unique ? " by theorem 1 of two-wheeler" : "");
 }

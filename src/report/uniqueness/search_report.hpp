@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "claims/uniqueness/everywhere.hpp"
+#include "contact/impact/solved_impact.hpp"
 #include "mechanics/search/search.hpp"
 #include "report/document/document.hpp"
 
@@ -27,12 +28,15 @@ SearchReport searched(const Mechanism& mechanism, const SearchOptions& options, 
 enum class SearchVerdict : std::uint8_t {
   unique,      ///< it is proved that there is one motion in the whole domain
   none_found,  ///< one motion at every load of every sample; if only one kind was searched for, no place of that kind
-  found,       ///< another number of motions; if only one kind was searched for, a place of that kind
-  undecided    ///< no sample was found; or, in space, nothing was, and a sample is undecided
+  found,       ///< another number of motions, or a gain of energy; if only one kind was searched for, a place of it
+  undecided    ///< no sample was found; or nothing was, and a sample is undecided, in space or about energy
 };
 SearchVerdict verdict(const SearchReport& report);
 /// `unique`, `none found`, `found`, `undecided`.
 std::string_view name(SearchVerdict verdict);
+
+/// The outcomes of an impact at a place.
+SolvedImpact impact_at(const Mechanism& mechanism, const SearchPlace& place);
 
 /// For people.
 Document search_document(const SearchReport& report);

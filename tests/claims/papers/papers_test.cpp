@@ -40,30 +40,29 @@ bool whole() {
   return slipproof::test::how_many("SLIPPROOF_WHOLE_PAPERS", 0) != 0;
 }
 
-/// How many papers are now in the folder.
+/// Calls verify with those papers that are taken; `count` is how many.
 template <class Taken>
-std::size_t copy_papers(const std::filesystem::path& to, Taken taken) {
-  std::size_t copied = 0;
+slipproof::test::ProgramEnd verify_some(Taken taken, const std::vector<std::string>& options, std::size_t& count) {
+  std::vector<std::string> call{"verify"};
   for (const auto& paper : folders()) {
-    if (!taken(paper)) continue;
-    std::filesystem::create_directories(to);
-    std::filesystem::copy(paper, to / paper.filename(), std::filesystem::copy_options::recursive);
-    ++copied;
+    if (taken(paper)) call.push_back((paper / "claims.toml").string());
   }
-  return copied;
+  count = call.size() - 1;
+  for (const char* option : {"--json", "--samples", "200", "--lines", "1"}) call.emplace_back(option);
+  call.insert(call.end(), options.begin(), options.end());
+  return run(call);
 }
 
 }  // namespace
 
 TEST_CASE("every claim of every paper has the verdict that its file expects") {
-  const TemporaryFolder folder;
   const auto here = [](const std::filesystem::path& paper) { return whole() || paper.filename() != long_lines; };
-  const std::size_t copied = copy_papers(folder.path() / "some", here);
-  const auto outcome = run({"verify", folder.path() / "some", "--json", "--samples", "200", "--lines", "1"});
+  std::size_t count = 0;
+  const auto outcome = verify_some(here, {}, count);
   CHECK(outcome.exit_code == 0);
   const Json document = Json::parse(outcome.out);
   CHECK(document["schema"] == "slipproof/papers/1");
-  CHECK(document["papers"].size() == copied);
+  CHECK(document["papers"].size() == count);
   int claims = 0, proved = 0, held = 0;
   for (const Json& paper : document["papers"]) {
     CAPTURE(paper.dump());
@@ -101,10 +100,9 @@ TEST_CASE(
 
 TEST_CASE("every paper has a page, with its findings, and a line of the index leads there") {
   const TemporaryFolder folder;
-  std::size_t turn = 0;
-  copy_papers(folder.path() / "some", [&](const std::filesystem::path&) { return whole() || turn++ % 5 == 0; });
-  const auto outcome = run({"verify", folder.path() / "some", "--json", "--samples", "200", "--lines", "1", "--report",
-                            folder.path() / "pages"});
+  std::size_t turn = 0, count = 0;
+  const auto outcome = verify_some([&](const std::filesystem::path&) { return whole() || turn++ % 5 == 0; },
+                                   {"--report", (folder.path() / "pages").string()}, count);
   CHECK(outcome.exit_code == 0);
   const std::string index = read_file(folder.path() / "pages" / "index.html");
   const Json document = Json::parse(outcome.out);
@@ -165,4 +163,8 @@ TEST_CASE("a folder without papers, and what is about one paper, are refused") {
   CHECK(run({"verify", papers, "--mutants"}).exit_code == 2);
   CHECK(run({"verify", papers, "--errata"}).err.find("--errata is about one paper") != std::string::npos);
   CHECK(run({"report", papers, "--out", "-"}).exit_code == 2);
+  CHECK(run({"verify", "ladder", "in-space", "--errata"}).err.find("--errata is about one paper") != std::string::npos);
+  const auto twice = run({"verify", papers / "ladder", papers / "ladder" / "claims.toml"});
+  CHECK(twice.exit_code == 3);
+  CHECK(twice.err.find("found a second paper called 'ladder', expected another name") != std::string::npos);
 }

@@ -123,3 +123,61 @@ TEST_CASE("search in space: places without a motion and with several, which one 
       run({"search", space + "leaning-rod.toml", "--samples", "5", "--within", "F = 3 and mu = 1 and g = 10"});
   CHECK(last_line(one_load.out) == "s FOUND samples 5 one 0 none 0 several 5 continuum 0 hysteresis 0 undecided 0\n");
 }
+
+TEST_CASE("search of an impact: where its law gains energy, and `impact` says the same there") {
+  const std::string rod = SLIPPROOF_SOURCE_DIR "/proofs/impacts/rod.toml";
+  const auto found = run({"search", rod, "--samples", "60", "--json"});
+  CHECK(found.exit_code == 1);
+  const Json document = Json::parse(found.out);
+  CHECK(document["one"] == 60);
+  CHECK(document["gain"] > 0);
+  const Json cell = document["cells"][0];
+  REQUIRE(cell["gains_energy"] == true);
+  const TemporaryFolder folder;
+  std::string scene = "name = \"found\"\nmechanism = \"" + rod + "\"\n[values]\n";
+  for (const auto& [name, value] : cell["simplest"].items()) {
+    scene += value.is_string() ? name + " = " + value.dump() + "\n"
+                               : name + " = { cos = " + value["cos"].dump() + ", sin = " + value["sin"].dump() + " }\n";
+  }
+  const Json there = Json::parse(run({"impact", folder.write("found.toml", scene).string(), "--json"}).out);
+  CHECK(there["before"]["energy"] == cell["energy"]["before"]);
+  CHECK(there["outcomes"][0]["energy"] == cell["energy"]["outcomes"][0]["after"]);
+  CHECK(there["outcomes"][0]["gains_energy"] == true);
+  CHECK(fraction(cell["energy"]["outcomes"][0]["gain"]) > 0);
+  CHECK(document["cells"].back()["energy"].is_null());
+  const auto moreau = run({"search", rod, "--samples", "60", "--law", "moreau", "--for", "gain"});
+  CHECK(moreau.exit_code == 1);  // the same for a contact that approaches alone
+  const std::string one_restitution = SLIPPROOF_SOURCE_DIR "/proofs/impacts/rod-moreau.toml";
+  const auto none = run({"search", one_restitution, "--samples", "60"});
+  CHECK(none.exit_code == 0);
+  CHECK(last_line(none.out).ends_with(" gain 0\n"));
+}
+
+TEST_CASE("search of an impact in space, and of what is none") {
+  const TemporaryFolder folder;
+  // bar-that-gains: 2 before, 104/27 after, which does not depend on where the bar is.
+  const std::string bar =
+      "schema = \"slipproof/mechanism/1\"\nname = \"bar\"\ndimension = 3\ngravity = \"none\"\n[impact]\n"
+      "law = \"moreau\"\n[[body]]\nname = \"bar\"\nmass = \"1\"\ninertia = [\"1/3\", \"1/3\", \"1/3\"]\n"
+      "at = [\"0\", \"0\", \"0\"]\nvelocity = [\"0\", \"0\", \"-1\"]\nspin = [\"0\", \"-3\", \"0\"]\n";
+  const auto stop = [](const std::string& name, const std::string& x, const std::string& restitution) {
+    const std::string point = "[\"" + x + "\", \"0\", \"0\"]\n";
+    return "[[contact]]\nname = \"" + name + "\"\nof = \"bar\"\npoint = " + point + "through = " + point +
+           "normal = [\"0\", \"0\", \"1\"]\nrestitution = \"" + restitution + "\"\n";
+  };
+  const std::string file = folder.write("bar.toml", bar + stop("left", "-1", "1") + stop("right", "2", "0")).string();
+  const Json space = Json::parse(run({"search", file, "--samples", "2", "--json"}).out);
+  CHECK(space["verdict"] == "found");
+  CHECK(space["gain"] == 2);
+  CHECK(space["cells"][0]["energy"]["before"] == "2");
+  CHECK(space["cells"][0]["energy"]["outcomes"][0]["after"] == "104/27");
+  CHECK(space["cells"][0]["energy"]["outcomes"][0]["gain"] == "50/27");
+  const auto poisson = run({"search", file, "--law", "poisson"});
+  CHECK(poisson.exit_code == 3);
+  CHECK(poisson.err.find("Poisson's law, whose two phases only `slipproof impact` solves") != std::string::npos);
+  const auto none = run({"search", "ladder", "--for", "gain"});
+  CHECK(none.exit_code == 3);
+  CHECK(none.err.find("found no impact, which alone may gain energy") != std::string::npos);
+  CHECK(run({"search", "ladder", "--law", "newton"}).exit_code == 3);
+  CHECK(run({"search", file, "--law", "hertz"}).exit_code == 2);
+}

@@ -184,6 +184,8 @@ CASES = [
     (lambda: slipproof.check(), TYPE, "paths: found NoneType, expected at least one certificate"),
     (lambda: slipproof.check(5), TYPE, "paths: found int, expected a path"),
     (lambda: slipproof.search("ladder", wanted="two"), VALUE, "wanted: found 'two', expected 'none' or 'several' or"),
+    (lambda: slipproof.search("ladder", wanted="gain"), INPUT, "found no impact, which alone may gain energy"),
+    (lambda: slipproof.search("ladder", law="hertz"), VALUE, "law: found 'hertz', expected 'newton' or 'moreau' or"),
     (lambda: slipproof.search("ladder", within="mu_f <"), INPUT, "within:1:"),
     (lambda: slipproof.search("ladder", within=3), TYPE, "within: found int, expected str"),
     (lambda: slipproof.critical(SCENE, x="colour"), VALUE, "colour"),

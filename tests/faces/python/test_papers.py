@@ -49,6 +49,9 @@ def test_a_search_is_the_programs(program):
     assert found.verdict == "found"
     narrowed = slipproof.Mechanism.load("painleve-rod").search(within="mu < 1/10", samples=20)
     assert narrowed.verdict == "none found"
+    rod = "proofs/impacts/rod-moreau.toml"
+    gain = slipproof.search(rod, law="newton", wanted="gain", samples=20)
+    assert gain.to_json() == program("search", rod, "--law", "newton", "--for", "gain", "--samples", 20, "--json", parse=False)
 
 
 @pytest.mark.parametrize("path, options, flags", [

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/input/diagnostic.hpp"
+#include "mechanics/impact/impact.hpp"
 #include "mechanics/reading/read_mechanism.hpp"
 #include "mechanics/reading/shipped.hpp"
 #include "mechanics/scene/narrow.hpp"
@@ -62,6 +63,25 @@ void check_place(const Mechanism& mechanism, const SearchCell& cell, const Searc
   const ProblemMaker maker(mechanism);
   CHECK(maker.broken(place.values).empty());
   if (place.load) CHECK(maker.load_domain(place.values).contains(*place.load));
+}
+
+/// What a rod's impact by Newton's law adds to its energy: the impulse times the mean velocity of the foot. The foot
+/// sticks if its impulse is in the cone, and slides on or back if not.
+Rational gain_of_rod(const MechanismValues& values) {
+  const auto& p = values.parameters;
+  const Rational m = p[0], v = p[2], a = p[3], e = p[5], mu = p[6];
+  const Rational c = values.angles[0].cosine, s = values.angles[0].sine;
+  const Rational nn = (1 + 3 * c * c) / m, nt = -3 * s * c / m, tt = (1 + 3 * s * s) / m, up = (1 + e) * v;
+  Rational N = (tt * up + nt * a) / (nn * tt - nt * nt), S = (-nt * up - nn * a) / (nn * tt - nt * nt), sliding = 0;
+  const bool sticks = abs(S) <= mu * N;
+  for (const int direction : {-1, 1}) {
+    const Rational carries = nn - direction * mu * nt;
+    if (sticks || carries <= 0) continue;
+    const Rational normal = up / carries, friction = -direction * mu * normal;
+    const Rational after = a + nt * normal + tt * friction;
+    if (after * direction >= 0) N = normal, S = friction, sliding = after;
+  }
+  return (N * (e * v - v) + S * (a + sliding)) / 2;
 }
 
 }  // namespace
@@ -185,7 +205,7 @@ TEST_CASE("at every place that is told are the motions that are told, and what c
 TEST_CASE("what is looked for alone ends the search at the first") {
   const Mechanism rod = open_mechanism("painleve-rod");
   SearchOptions options;
-  options.wanted = MotionCount::none;
+  options.wanted = SearchFor::none;
   options.threads = 1;
   const SearchResult result = search_motions(rod, options);
   REQUIRE(result.cells.size() == 1);
@@ -207,6 +227,28 @@ TEST_CASE("without J a bicycle's wheels do not open, which is told apart from no
     if (cell.found.count == MotionCount::none) CHECK(cell.found.not_modelled.empty());
     if (cell.found.count == MotionCount::none_modelled) CHECK(cell.found.not_modelled.size() == 2);
   }
+}
+
+TEST_CASE("an impact is searched for gains of energy, which are those of a rod's closed form") {
+  const Mechanism rod = with_approach(read_mechanism(SLIPPROOF_SOURCE_DIR "/proofs/impacts/rod.toml"));
+  const SearchResult result = searched(rod, 300);
+  REQUIRE(result.samples == 300);
+  const ProblemMaker maker(rod);
+  const PointSampler points(rod, maker, 1);
+  std::uint64_t gains = 0;
+  for (std::uint64_t i = 0; i < 300; ++i) gains += gain_of_rod(*points.at(i)) > 0;
+  CHECK(gains > 10);
+  CHECK(result.count(EnergyBalance::gained) == gains);
+  CHECK(result.count(EnergyBalance::not_gained) == 300 - gains);
+  for (const SearchCell& cell : result.cells) {
+    CHECK((cell.found.energy == EnergyBalance::gained) == (gain_of_rod(cell.simplest.values) > 0));
+  }
+  SearchOptions options;
+  options.wanted = SearchFor::gain;
+  const SearchResult first = search_motions(rod, options);
+  REQUIRE(first.cells.size() == 1);
+  CHECK(gain_of_rod(first.cells[0].simplest.values) > 0);
+  CHECK_THROWS_AS(search_motions(open_mechanism("painleve-rod"), options), InputError);
 }
 
 TEST_CASE("a condition narrows parameters, angles and the load") {

@@ -47,11 +47,7 @@ void add_impact(CLI::App& app, int& exit_code) {
       *app.add_subcommand("impact", "Find all velocities after an impact, and whether energy is gained");
   command.add_option("SCENE", options->scene, "Scene file (TOML) of bodies with velocities, in the plane or in space")
       ->required();
-  command
-      .add_option("--law", options->law,
-                  "newton: opening after is e times approach before; moreau: the same at all closed contacts; poisson: "
-                  "the impulse of restitution is e times that of compression; default: as the file says, or moreau")
-      ->check(CLI::IsMember({"newton", "moreau", "poisson"}));
+  add_law_option(command, options->law, "as the file says, or moreau");
   command.add_option("-o,--out", options->out, "Draw before and after to this file, .svg or .png");
   add_view_option(command, options->from);
   add_load_option(command, options->load);

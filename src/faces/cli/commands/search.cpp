@@ -9,9 +9,9 @@
 #include "faces/cli/command.hpp"
 #include "faces/cli/crew_run.hpp"
 #include "faces/cli/interrupt.hpp"
+#include "faces/cli/load_option.hpp"
 #include "faces/cli/progress.hpp"
 #include "faces/cli/warnings.hpp"
-#include "mechanics/mechanism/forms.hpp"
 #include "mechanics/reading/shipped.hpp"
 #include "mechanics/scene/narrow.hpp"
 #include "report/uniqueness/search_report.hpp"
@@ -24,15 +24,15 @@ struct SearchArguments {
   CommonOptions common;
   SearchOptions search;
   CrewArguments crew;
-  std::string mechanism, within, wanted;
+  std::string mechanism, law, within, wanted;
   bool narrows = false;
 };
 
 /// Everything that a result may depend on.
 std::string searched_work(const SearchArguments& arguments, const Mechanism& mechanism) {
   const SearchOptions& options = arguments.search;
-  return fmt::format("search {} within {} for {} hysteresis {} samples {} seed {}\n", digest_of(mechanism.file),
-                     arguments.within, arguments.wanted, options.hysteresis,
+  return fmt::format("search {} law {} within {} for {} hysteresis {} samples {} seed {}\n", digest_of(mechanism.file),
+                     arguments.law, arguments.within, arguments.wanted, options.hysteresis,
                      options.samples.value_or(default_samples(mechanism)), options.seed);
 }
 
@@ -41,15 +41,12 @@ Exit run_search(SearchArguments& arguments) {
   options.seed = arguments.common.seed;
   options.threads = arguments.common.threads;
   options.progress = progress_bar(!arguments.common.quiet);
-  if (arguments.wanted == "none") options.wanted = MotionCount::none;
-  if (arguments.wanted == "several") options.wanted = MotionCount::several;
-  if (arguments.wanted == "continuum") options.wanted = MotionCount::continuum;
-  Mechanism mechanism = open_mechanism(arguments.mechanism, {}, Dimensions::any);
+  options.wanted = parse_search_for(arguments.wanted);
+  MechanismRequest request = Dimensions::any;
+  if (const auto law = parse_impact_law(arguments.law)) request.impact = ImpactRequest{law};
+  Mechanism mechanism = open_mechanism(arguments.mechanism, {}, request);
   print_warnings(mechanism, arguments.common);
-  if (mechanism.dimension == 3) {
-    mechanism = without_load(mechanism);
-    options.in_space = found_in_space;
-  }
+  mechanism = mechanism_to_search(std::move(mechanism), options);
   if (arguments.narrows) mechanism = narrowed(mechanism, arguments.within, "--within");
   MotionSearch search(mechanism, options);
   const auto crew = crew_of(
@@ -76,13 +73,18 @@ Exit run_search(SearchArguments& arguments) {
 void add_search(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<SearchArguments>();
   CLI::App& command =
-      *app.add_subcommand("search", "Search for points where a mechanism has no motion, several, or a continuum");
+      *app.add_subcommand("search",
+                          "Search for points where a mechanism has no motion, several, or a continuum, or an impact "
+                          "gains energy");
   command.add_option("MECHANISM", options->mechanism, "Mechanism file (TOML), or the name of a shipped one")
       ->required();
   auto* within =
       command.add_option("--within", options->within, "Search only where this holds, such as \"b < h and mu < 1\"");
-  command.add_option("--for", options->wanted, "Look only for this, and stop at the first")
-      ->check(CLI::IsMember({"none", "several", "continuum"}));
+  command
+      .add_option("--for", options->wanted,
+                  "Look only for this, and stop at the first; gain: an impact after which there is more energy")
+      ->check(CLI::IsMember(std::vector<std::string>(search_words.begin(), search_words.end())));
+  add_law_option(command, options->law, "as the file says; without one, no impact");
   command.add_flag("--hysteresis", options->search.hysteresis,
                    "Also report several motions that become one if static coefficients equal the kinetic ones");
   command
@@ -92,7 +94,7 @@ void add_search(CLI::App& app, int& exit_code) {
       ->check(whole_number(1, 1'000'000'000));
   add_crew_options(command, options->crew);
   add_report_options(command, options->common);
-  add_examples(command, {"painleve-rod --within \"mu < 1\" --samples 20"});
+  add_examples(command, {"painleve-rod --within \"mu < 1\" --samples 20", "proofs/impacts/rod.toml --for gain"});
   command.callback([options, within, &exit_code] {
     options->narrows = within->count() > 0;
     exit_code = stoppable([&] { return run_search(*options); }, [&] { return by_checkpoint(options->crew); });

@@ -191,12 +191,12 @@ class Mechanism(Result):
         return self.scene(values, load=load, along=along, state=state).solve()
 
     def search(self, *, within: str = "", wanted: Optional[str] = None, samples: Optional[int] = None, seed: int = 1,
-               hysteresis: bool = False, threads: int = 0, progress: Progress = None) -> Search:
+               hysteresis: bool = False, law: Optional[str] = None, threads: int = 0, progress: Progress = None) -> Search:
         """Searches samples of the domain, for every load (in space, for one), for points with no motion, several, or a
-        continuum.
+        continuum, or at which an impact gains energy.
 
-        ``within`` narrows the domain, ``"mu < 1"``; with ``wanted`` (none, several, continuum) the search ends at the
-        first such place. ``samples``: points of the domain, by default 30 to 2000; ``seed`` of them. ``hysteresis``:
+        ``within`` narrows the domain, ``"mu < 1"``; with ``wanted`` (none, several, continuum, gain) the search ends at
+        the first such place. ``law``: search impacts by it (newton, moreau, poisson), whatever the file says. ``samples``: points of the domain, by default 30 to 2000; ``seed`` of them. ``hysteresis``:
         report several motions that become one if static coefficients equal the kinetic ones, too. ``threads``: 0 for all
         cores. ``progress``: a function of (done, all), or True. Raises ValueError, InputError.
         """
@@ -205,8 +205,8 @@ class Mechanism(Result):
         return Search(*_core.search(
             os.fsencode(self._path), self._text(), within, None if samples is None else whole("samples", samples, 1, 1_000_000_000),
             whole("seed", seed, 0, 2**64 - 1),
-            None if wanted is None else one_of("wanted", wanted, ("none", "several", "continuum")), bool(hysteresis),
-            whole("threads", threads, 0, 4096), reporter(progress)))
+            None if wanted is None else one_of("wanted", wanted, ("none", "several", "continuum", "gain")), bool(hysteresis),
+            None if law is None else one_of("law", law, ("newton", "moreau", "poisson")), whole("threads", threads, 0, 4096), reporter(progress)))
 
     def __repr__(self) -> str:
         return f"<slipproof.Mechanism {self.name!r}>"

@@ -25,6 +25,7 @@ namespace {
 
 struct VerifyArguments : JudgeArguments {
   MutationOptions mutation;
+  std::vector<std::string> papers;
   std::string lemmas, report;
   bool mutants = false;
   bool errata = false, sarif = false, coverage = false;
@@ -101,10 +102,11 @@ void expect_claim(const ClaimsFile& file, const std::string& only) {
   throw InputError({{file.file, 0, 0, "--only: " + unknown_name("claim", only, ids)}});
 }
 
-/// Verifies all papers in a folder.
+/// Verifies several papers, or all in a folder.
 int verify_papers(const std::vector<std::filesystem::path>& papers, const VerifyArguments& options) {
   if (const std::string flag = flag_about_one_paper(options); !flag.empty()) {
-    throw CLI::ValidationError("CLAIMS", flag + " is about one paper; found a folder, expected its claims.toml");
+    throw CLI::ValidationError(
+        "CLAIMS", flag + " is about one paper; found a folder or several papers, expected one claims.toml");
   }
   const auto judged = judge_papers(papers, options, options.report);
   if (launched().rank != 0) return success;
@@ -115,9 +117,12 @@ int verify_papers(const std::vector<std::filesystem::path>& papers, const Verify
 
 int run_verify(VerifyArguments& options, const CLI::Option& samples) {
   refuse_report_without_verdicts(options);
-  std::filesystem::path path = claims_path(options.claims);
   refuse_crew_without_verdicts(options);
-  const auto papers = papers_in(path);
+  std::vector<std::filesystem::path> paths;
+  for (const std::string& paper : options.papers) paths.push_back(claims_path(paper));
+  if (paths.empty()) paths.push_back(claims_path(""));
+  std::filesystem::path path = paths.front();
+  const auto papers = paths.size() == 1 ? papers_in(path) : papers_in(paths);
   const bool as_one = !options.verify.only.empty() || !flag_about_one_paper(options).empty();
   if (papers.size() > 1 || (papers.size() == 1 && !as_one)) {
     if (samples.empty()) options.verify.samples = samples_of_many;
@@ -169,8 +174,8 @@ void add_verify(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<VerifyArguments>();
   CLI::App& command =
       *app.add_subcommand("verify", "Judge the claims of a paper at sampled rational bicycles, every force at once");
-  command.add_option("CLAIMS", options->claims,
-                     "Claims file (TOML), or a folder of papers; default: the shipped paper");
+  command.add_option("CLAIMS", options->papers,
+                     "Claims files (TOML), or folders of papers; default: the shipped paper");
   auto* samples = add_judging_options(command, *options);
   auto* list = command.add_flag("--errata", options->errata, "List what is wrong with the paper");
   auto* sarif =
@@ -188,9 +193,9 @@ void add_verify(CLI::App& app, int& exit_code) {
       ->needs(mutants);
   command.add_option("--lemmas", options->lemmas, "Folder for the lemmas of the arguments, with certificates")
       ->needs(mutants);
-  auto* report = command.add_option(
-      "--report", options->report,
-      "Also write the HTML report of the verdicts to this file; for a folder of papers: to this folder");
+  auto* report =
+      command.add_option("--report", options->report,
+                         "Also write the HTML report of the verdicts to this file; for several papers: to this folder");
   command.add_option("--trade", options->trade, "Output of slipproof trade --json, for the report")->needs(report);
   command.add_flag("--names", options->names, "Name all certificates of each claim, also where there are many");
   add_crew_options(command, options->crew);

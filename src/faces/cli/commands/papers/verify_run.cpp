@@ -149,6 +149,23 @@ std::vector<std::filesystem::path> papers_in(const std::filesystem::path& path) 
       {{path.string(), 0, 0, "found no claims.toml in the folder or in the folders in it, and no other claims file"}});
 }
 
+std::vector<std::filesystem::path> papers_in(const std::vector<std::filesystem::path>& paths) {
+  std::vector<std::filesystem::path> papers;
+  std::set<std::string> names;
+  for (const std::filesystem::path& path : paths) {
+    auto found = papers_in(path);
+    if (found.empty()) found.push_back(path);
+    for (std::filesystem::path& paper : found) {
+      const std::string name = paper_name(paper);
+      if (!names.insert(name).second) {
+        throw InputError({{paper.string(), 0, 0, "found a second paper called '" + name + "', expected another name"}});
+      }
+      papers.push_back(std::move(paper));
+    }
+  }
+  return papers;
+}
+
 namespace {
 
 /// Draws the worst finding of a paper for those who share its page. Returns the picture's address; empty if there is no

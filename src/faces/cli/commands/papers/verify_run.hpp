@@ -73,6 +73,9 @@ PageInput report_input(const std::filesystem::path& claims, const ClaimsFile& fi
 /// The claims files of a folder and its subfolders, by name. Nothing if the path is not a folder. Throws InputError if
 /// there are none.
 std::vector<std::filesystem::path> papers_in(const std::filesystem::path& path);
+/// The same of several paths, in their order; a path that is not a folder is one paper. Throws InputError for a name
+/// that two papers have, as each is reported by its name.
+std::vector<std::filesystem::path> papers_in(const std::vector<std::filesystem::path>& paths);
 
 /// The number of samples for each setting if a folder is judged and no number is given.
 inline constexpr std::uint64_t samples_of_many = 2000;

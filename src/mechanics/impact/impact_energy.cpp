@@ -1,4 +1,4 @@
-#include "contact/impact/impact_energy.hpp"
+#include "mechanics/impact/impact_energy.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -7,7 +7,7 @@ namespace slipproof {
 
 namespace {
 
-Range product(const Range& x, const Range& y, bool square) {
+Range range_product(const Range& x, const Range& y, bool square) {
   if (!x.lower || !x.upper || !y.lower || !y.upper) return {};
   std::vector<Rational> corners;
   for (const Rational& one : {*x.lower, *x.upper}) {
@@ -21,7 +21,7 @@ Range product(const Range& x, const Range& y, bool square) {
   return {least, most};
 }
 
-void add(Range& sum, const Rational& factor, Range term) {
+void add_range(Range& sum, const Rational& factor, Range term) {
   if (factor.sign() < 0) std::swap(term.lower, term.upper);
   const auto end = [&](std::optional<Rational>& to, const std::optional<Rational>& by) {
     to = to && by ? std::optional(Rational(*to + factor * *by)) : std::nullopt;
@@ -50,9 +50,13 @@ ImpactEnergy::ImpactEnergy(const Mechanism& mechanism, const ProblemMaker& maker
     row->resize(velocities_.size());
     masses_.push_back(std::move(*row));
   }
-  std::vector<Range> points;
-  for (const Rational& velocity : velocities_) points.push_back({velocity, velocity});
-  before_ = *of(points).lower;
+  before_ = of(velocities_);
+}
+
+EnergyBalance ImpactEnergy::balance(const Range& after) const {
+  if (driven_) return EnergyBalance::not_judged;
+  if (after.lower && *after.lower > before_) return EnergyBalance::gained;
+  return after.upper && *after.upper <= before_ ? EnergyBalance::not_gained : EnergyBalance::undecided;
 }
 
 Range ImpactEnergy::of(const std::vector<Range>& velocities) const {
@@ -60,10 +64,16 @@ Range ImpactEnergy::of(const std::vector<Range>& velocities) const {
   for (std::size_t i = 0; i < masses_.size(); ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
       const Rational factor = i == j ? Rational(masses_[i][i] / 2) : Rational((masses_[i][j] + masses_[j][i]) / 2);
-      if (!factor.is_zero()) add(sum, factor, product(velocities[i], velocities[j], i == j));
+      if (!factor.is_zero()) add_range(sum, factor, range_product(velocities[i], velocities[j], i == j));
     }
   }
   return sum;
+}
+
+Rational ImpactEnergy::of(const std::vector<Rational>& velocities) const {
+  std::vector<Range> points;
+  for (const Rational& velocity : velocities) points.push_back({velocity, velocity});
+  return *of(points).lower;
 }
 
 }  // namespace slipproof
