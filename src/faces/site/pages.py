@@ -158,6 +158,17 @@ def carry_search(site, project):
 """)
 
 
+def lead_to_front(site):
+    """The logo of each page leads to the site's front page, beside the folder of pages; MkDocs leads no link out of that."""
+    for folder, _, names in os.walk(site):
+        front = os.path.relpath(os.path.join(site, "../index.html"), folder)
+        for path in (os.path.join(folder, name) for name in names if name.endswith(".html")):
+            with open(path, encoding="utf-8") as file:
+                text = file.read()
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(re.sub(r'<a href="[^"]*"(?=[^>]* class="[^"]*md-logo)', f'<a href="{front}"', text))
+
+
 def main(sources, built, out):
     with open(os.path.join(HERE, "mkdocs.yml"), encoding="utf-8") as file:
         sections = yaml.load(file, yaml.BaseLoader)["extra"]["sections"]
@@ -177,6 +188,7 @@ def main(sources, built, out):
     build(load_config(os.path.join(HERE, "mkdocs.yml"), docs_dir=folder, site_dir=site, strict=True,
                       nav=navigation(project, sections)))
     carry_search(site, project)
+    lead_to_front(site)
     shutil.rmtree(folder)
 
 

@@ -180,14 +180,16 @@ test('the front page is used by the keyboard alone', async () => {
   assert.notEqual(await drawing(), still);
 });
 
-test('every link of the front page and of the pages leads to a file', () => {
+test('every link of the front page and of the pages leads to a file, and the logo of each page to the front page', () => {
   const missing = new Set();
   for (const file of [join(site, 'index.html'), ...pages(join(site, 'pages'))]) {
     if (file.endsWith('/404.html')) continue;  // its links are those of a server
+    const logo = readFileSync(file, 'utf8').match(/<a href="([^"]+)"[^>]* class="md-header__button md-logo"/);
+    if (logo) assert.equal(fileURLToPath(new URL(logo[1], pathToFileURL(file))), join(site, 'index.html'));
     for (const [, target] of readFileSync(file, 'utf8').matchAll(/(?:href|src)="([^"#?]+)/g)) {
       if (/^[a-z]+:/.test(target) || target.startsWith('//')) continue;
       const found = fileURLToPath(new URL(target.replaceAll('&amp;', '&'), pathToFileURL(file)));
-      if (!existsSync(found)) missing.add(`${file}: ${target}`);
+      if (!existsSync(found) || !statSync(found).isFile()) missing.add(`${file}: ${target}`);
     }
   }
   assert.deepEqual([...missing].slice(0, 10), []);
