@@ -158,15 +158,17 @@ def carry_search(site, project):
 """)
 
 
-def lead_to_front(site):
-    """The logo of each page leads to the site's front page, beside the folder of pages; MkDocs leads no link out of that."""
-    for folder, _, names in os.walk(site):
-        front = os.path.relpath(os.path.join(site, "../index.html"), folder)
+def lead_to_front(out):
+    """The name or logo of each page leads to the site's front page; MkDocs leads no link out of its folder, and a report knows
+    of none."""
+    name_leads = re.compile(r'(<a class="brand" href=")[^"]*|(<a href=")[^"]*(?="[^>]*md-logo)')
+    for folder, _, names in (found for part in ("pages", "papers", "engines") for found in os.walk(os.path.join(out, part))):
+        front = os.path.relpath(os.path.join(out, "index.html"), folder)
         for path in (os.path.join(folder, name) for name in names if name.endswith(".html")):
             with open(path, encoding="utf-8") as file:
                 text = file.read()
             with open(path, "w", encoding="utf-8") as file:
-                file.write(re.sub(r'<a href="[^"]*"(?=[^>]* class="[^"]*md-logo)', f'<a href="{front}"', text))
+                file.write(name_leads.sub(lambda link: (link[1] or link[2]) + front, text))
 
 
 def main(sources, built, out):
@@ -188,7 +190,7 @@ def main(sources, built, out):
     build(load_config(os.path.join(HERE, "mkdocs.yml"), docs_dir=folder, site_dir=site, strict=True,
                       nav=navigation(project, sections)))
     carry_search(site, project)
-    lead_to_front(site)
+    lead_to_front(out)
     shutil.rmtree(folder)
 
 

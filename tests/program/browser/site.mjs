@@ -180,19 +180,23 @@ test('the front page is used by the keyboard alone', async () => {
   assert.notEqual(await drawing(), still);
 });
 
-test('every link of the front page and of the pages leads to a file, and the logo of each page to the front page', () => {
+test('every link of pages and reports leads to a file, and the name of each of them to the front page', () => {
   const missing = new Set();
-  for (const file of [join(site, 'index.html'), ...pages(join(site, 'pages'))]) {
+  let names = 0;
+  for (const file of [join(site, 'index.html'), ...['pages', 'papers', 'engines'].flatMap(part => [...pages(join(site, part))])]) {
     if (file.endsWith('/404.html')) continue;  // its links are those of a server
-    const logo = readFileSync(file, 'utf8').match(/<a href="([^"]+)"[^>]* class="md-header__button md-logo"/);
-    if (logo) assert.equal(fileURLToPath(new URL(logo[1], pathToFileURL(file))), join(site, 'index.html'));
-    for (const [, target] of readFileSync(file, 'utf8').matchAll(/(?:href|src)="([^"#?]+)/g)) {
+    const text = readFileSync(file, 'utf8');
+    const name = text.match(/<a href="([^"]+)"[^>]*md-logo|<a class="brand" href="([^"]+)"/);
+    if (name) assert.equal(fileURLToPath(new URL(name[1] ?? name[2], pathToFileURL(file))), join(site, 'index.html'), file);
+    names += Boolean(name);
+    for (const [, target] of text.matchAll(/(?:href|src)="([^"#?]+)/g)) {
       if (/^[a-z]+:/.test(target) || target.startsWith('//')) continue;
       const found = fileURLToPath(new URL(target.replaceAll('&amp;', '&'), pathToFileURL(file)));
       if (!existsSync(found) || !statSync(found).isFile()) missing.add(`${file}: ${target}`);
     }
   }
   assert.deepEqual([...missing].slice(0, 10), []);
+  assert.ok(names > 250, `${names} names`);
 });
 
 // What somebody asks in the first hour, and a page that must be among the first five answers.
