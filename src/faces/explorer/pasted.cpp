@@ -91,10 +91,15 @@ Json judge_pasted(std::string_view text, const std::string& scene) {
   if (begin == std::string_view::npos)
     refuse_pasted("found nothing, expected a contact problem with its answer, or records");
   text.remove_prefix(begin);
-  const bool csv = text.front() != '{';
-  if (!csv && text.find('[') != std::string_view::npos) {  // a record has no lists
+  const bool csv = text.front() != '{', lists = text.find('[') != std::string_view::npos;  // a record has none
+  if (csv && lists) {
+    refuse_pasted(R"(found lists, expected a contact problem as JSON, {"W": [[1, 0], [0, 1]], "q": [-9.81, 0.5], )"
+                  R"("mu": 0.3, "r": [9.81, -0.5]}, or records: a line of names, and below it lines of numbers)");
+  }
+  if (lists) {
     const JsonProblem json(text, pasted_file);
-    if (json.is_problem()) return Json::array({line_json(1, judge_pasted_problem(text, json))});
+    if (!json.is_problem()) refuse_pasted("found lists without W and q, expected both in a contact problem");
+    return Json::array({line_json(1, judge_pasted_problem(text, json))});
   }
   Json lines = Json::array();
   std::unique_ptr<PastedRecords> records;

@@ -106,7 +106,7 @@ def main(out):
     changed = output("git", "status", "--porcelain")
     if changed:
         sys.exit(f"release.py: found files that are not those of the commit {commit[:12]}, expected none:\n{changed}")
-    version = re.search(r"VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
+    version = re.search(r"project\(slipproof VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
     wheels = sorted((ROOT / "build-wheel").glob("slipproof-*.whl"))
     if len(wheels) != 1:
         sys.exit(f"release.py: found {len(wheels)} wheels in {ROOT}/build-wheel, expected one: ./run wheel")

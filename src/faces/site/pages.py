@@ -158,6 +158,19 @@ def carry_search(site, project):
 """)
 
 
+def lead_to_front(out):
+    """The name or logo of each page leads to the site's front page; MkDocs leads no link out of its folder, and a report knows
+    of none."""
+    name_leads = re.compile(r'(<a class="brand" href=")[^"]*|(<a href=")[^"]*(?="[^>]*md-logo)')
+    for folder, _, names in (found for part in ("pages", "papers", "engines") for found in os.walk(os.path.join(out, part))):
+        front = os.path.relpath(os.path.join(out, "index.html"), folder)
+        for path in (os.path.join(folder, name) for name in names if name.endswith(".html")):
+            with open(path, encoding="utf-8") as file:
+                text = file.read()
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(name_leads.sub(lambda link: (link[1] or link[2]) + front, text))
+
+
 def main(sources, built, out):
     with open(os.path.join(HERE, "mkdocs.yml"), encoding="utf-8") as file:
         sections = yaml.load(file, yaml.BaseLoader)["extra"]["sections"]
@@ -177,6 +190,7 @@ def main(sources, built, out):
     build(load_config(os.path.join(HERE, "mkdocs.yml"), docs_dir=folder, site_dir=site, strict=True,
                       nav=navigation(project, sections)))
     carry_search(site, project)
+    lead_to_front(out)
     shutil.rmtree(folder)
 
 

@@ -186,6 +186,9 @@ TEST_CASE("pasted answers are judged as certify judges them") {
     CAPTURE(text);
     CHECK(judged(text).contains("mistakes"));
   }
+  for (const char* text : {"W = [[1, 0], [0, 1]]", "{\"W\": [[1, 0], [0, 1]], \"mu\": 0.3, \"r\": [1, 0]}"}) {
+    CHECK(judged(text)["mistakes"][0].get<std::string>().find("found lists") == 0);
+  }
 }
 
 TEST_CASE("the pictures of a scene of bodies say how they move: a wheel that rolls turns as far as it goes") {

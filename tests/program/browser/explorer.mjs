@@ -19,6 +19,7 @@ after(async () => browser?.close());
 
 async function open({ width = 1280, colorScheme = 'light', hash = '', file = 'explorer.html', ready = true } = {}) {
   const context = await browser.newContext({ viewport: { width, height: 900 }, colorScheme });
+  context.setDefaultTimeout(0);  // on a busy machine an answer may take minutes; the whole test has its limit
   const page = await context.newPage();
   page.said = [];
   page.asked = [];

@@ -11,5 +11,5 @@ mkdir -p "$folder"
 cp "$here/package.json" "$here/package-lock.json" "$here/site.mjs" "$folder/"
 cd "$folder"
 npm ci --ignore-scripts --no-audit --no-fund >npm.log 2>&1 || { cat npm.log; echo "skipped: npm ci failed"; exit 77; }
-"$project/src/faces/site/build.sh" "$(dirname "$slipproof")" site
+"$project/src/faces/site/build.sh" "$(dirname "$slipproof")" site --samples 100 --lines 0
 SLIPPROOF="$slipproof" PROJECT="$project" node --test --test-reporter=spec site.mjs

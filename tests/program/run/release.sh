@@ -22,6 +22,11 @@ for file in site/index.html site/stand.html site/papers/index.html site/pages/in
 done
 dpkg-deb --contents packages/slipproof_*.deb | grep -q 'share/slipproof/build-explorer/explorer.html' || fail "the package has no explorer"
 
+version=$(sed -n 's/^project(slipproof VERSION \([0-9.]*\).*/\1/p' "$project/CMakeLists.txt")
+for file in wheel/slipproof-"$version"-*.whl "source/slipproof-$version.tar.gz" packages/slipproof_"$version"*.deb; do
+  [[ -e $file ]] || fail "there is no $file: another version"
+done
+
 # The sources are those of the commit, and what was built from what is said of each part.
 commit=$(python3 -c 'import json; print(json.load(open("BUILT_FROM.json"))["commit"])')
 mkdir "$scratch/source"

@@ -15,7 +15,7 @@ fail() {
 wheel=$(echo "$folder"/slipproof-*.whl)
 [[ -e $wheel ]] || fail "$folder has not one wheel"
 size=$(stat -c %s "$wheel")
-((size <= 5000000)) || fail "$wheel has $size bytes, more than 5 MB"
+((size <= 5550000)) || fail "$wheel has $size bytes, more than the 5.5 MB that README.md states"
 if command -v auditwheel >/dev/null; then  # a second opinion on the tag
   tag=$(sed -E 's/.*-(manylinux_.*)\.whl/\1/' <<<"$wheel")
   auditwheel show "$wheel" | tr '\n' ' ' | grep -qF "platform tag: \"$tag\"" || fail "auditwheel gives $wheel another tag"
