@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <string>
+
 #include "mechanics/reading/shipped.hpp"
 #include "mechanics/scene/narrow.hpp"
 #include "support/crew_ranks.hpp"
@@ -9,7 +11,15 @@
 using namespace slipproof;
 
 TEST_CASE("the same bytes at any number of threads and ranks, and other samples for another seed") {
-  const Mechanism mechanism = open_mechanism("ladder");
+  const std::string impact = SLIPPROOF_SOURCE_DIR "/proofs/impacts/rod.toml";
+  std::string name;
+  SUBCASE("motions") {
+    name = "ladder";
+  }
+  SUBCASE("impacts") {
+    name = impact;
+  }
+  const Mechanism mechanism = open_mechanism(name);
   const auto json = [&](unsigned threads, std::uint64_t seed) {
     SearchOptions options;
     options.samples = 150;
