@@ -6,6 +6,7 @@
 #include <string>
 
 #include "claims/reading/read_claims_file.hpp"
+#include "contact/impact/solve_impact.hpp"
 #include "contact/space/search_space.hpp"
 #include "faces/python/bind.hpp"
 #include "faces/python/interruptible.hpp"
@@ -92,7 +93,7 @@ Report search_report(const std::string& name, const std::optional<std::string>& 
   if (!within.empty()) mechanism = narrowed(mechanism, within, "within");
   options.progress = [&call](std::uint64_t done, std::uint64_t all) { call.at(done, all); };
   MotionSearch search(mechanism, options);
-  const SearchReport report = searched(mechanism, options, within, search);
+  const SearchReport report = searched(mechanism, options, within, search, solve_impact);
   return {search_json(report), text_of(search_document(report)), std::string(slipproof::name(verdict(report)))};
 }
 

@@ -12,9 +12,7 @@ Json place_json(const Mechanism& mechanism, const SearchPlace& place) {
   return object;
 }
 
-/// Energies at a place of an impact.
-Json energy_json(const Mechanism& mechanism, const SearchPlace& place) {
-  const SolvedImpact solved = impact_at(mechanism, place);
+Json energy_json(const SolvedImpact& solved) {
   Json outcomes = Json::array();
   for (const ImpactOutcome& outcome : solved.outcomes) {
     Range gain = outcome.energy;
@@ -33,7 +31,9 @@ Json gains_json(EnergyBalance balance) {
   return nullptr;
 }
 
-Json cell_json(const Mechanism& mechanism, const SearchCell& cell) {
+Json cell_json(const SearchReport& report, std::size_t index) {
+  const Mechanism& mechanism = report.mechanism;
+  const SearchCell& cell = report.result.cells[index];
   Json modes = Json::array(), not_modelled = Json::array();
   for (const auto& motion : cell.found.modes) modes.push_back(names_json(motion));
   for (const std::string& mode : cell.found.in_space) modes.push_back(Json::array({mode}));
@@ -47,9 +47,9 @@ Json cell_json(const Mechanism& mechanism, const SearchCell& cell) {
               {"simplest", place_json(mechanism, cell.simplest)},
               {"simplest_realisable", cell.realisable ? place_json(mechanism, *cell.realisable) : Json(nullptr)}};
   if (mechanism.impact) {
-    const EnergyBalance balance = cell.found.energy;
-    object["gains_energy"] = gains_json(balance);
-    object["energy"] = balance == EnergyBalance::gained ? energy_json(mechanism, cell.simplest) : Json(nullptr);
+    const auto impact = report.impacts.find(index);
+    object["gains_energy"] = gains_json(cell.found.energy);
+    object["energy"] = impact == report.impacts.end() ? Json(nullptr) : energy_json(impact->second);
   }
   return object;
 }
@@ -89,7 +89,7 @@ std::string search_json(const SearchReport& report) {
     document["energy_not_judged"] = result.count(EnergyBalance::not_judged);
   }
   document["cells"] = Json::array();
-  for (const SearchCell& cell : result.cells) document["cells"].push_back(cell_json(report.mechanism, cell));
+  for (std::size_t i = 0; i < result.cells.size(); ++i) document["cells"].push_back(cell_json(report, i));
   return dump(document);
 }
 

@@ -8,7 +8,6 @@
 
 #include "base/number/format.hpp"
 #include "base/output/listed.hpp"
-#include "contact/impact/solve_impact.hpp"
 #include "mechanics/points/sampling.hpp"
 #include "report/scenes/impact_report.hpp"
 #include "report/values/number_text.hpp"
@@ -27,10 +26,15 @@ bool finds_something(const SearchReport& report) {
 }  // namespace
 
 SearchReport searched(const Mechanism& mechanism, const SearchOptions& options, std::string within,
-                      MotionSearch& search, Crew* crew) {
+                      MotionSearch& search, const SolveImpact& solve, Crew* crew) {
   SearchReport report{mechanism, options, std::move(within), search.result(crew)};
   if (report.result.samples > 0 && !finds_something(report) && mechanism.dimension == 2)
     report.proof = unique_everywhere(mechanism, !options.hysteresis);
+  for (std::size_t i = 0; i < report.result.cells.size(); ++i) {
+    const auto& [found, samples, simplest, realisable] = report.result.cells[i];
+    if (found.energy != EnergyBalance::gained) continue;
+    report.impacts.emplace(i, solve({mechanism.name, mechanism, simplest.values, simplest.load, {}}));
+  }
   return report;
 }
 
@@ -87,21 +91,11 @@ std::string motions_text(const FoundMotions& found) {
   return listed(words, "; ");
 }
 
-}  // namespace
-
-SolvedImpact impact_at(const Mechanism& mechanism, const SearchPlace& place) {
-  return solve_impact({mechanism.name, mechanism, place.values, place.load, {}});
-}
-
-namespace {
-
 std::string energy_text(const Range& energy) {
   return energy.is_point() ? exact_text(*energy.lower) : "within " + range_text(energy, 6);
 }
 
-/// The energies at a place at which some outcome gains energy.
-void write_energies(Document& document, const Mechanism& mechanism, const SearchPlace& place) {
-  const SolvedImpact solved = impact_at(mechanism, place);
+void write_energies(Document& document, const SolvedImpact& solved) {
   for (const ImpactOutcome& outcome : solved.outcomes) {
     document.paragraph(fmt::format("{} {}: {} before, {} after", outcome.modes.front(), energy_words(solved, outcome),
                                    exact_text(solved.energy), energy_text(outcome.energy)));
@@ -162,15 +156,18 @@ void write_head(Document& document, const SearchReport& report) {
   }
 }
 
-void write_cell(Document& document, const Mechanism& mechanism, const SearchCell& cell) {
-  const bool gains = cell.found.energy == EnergyBalance::gained;
+void write_cell(Document& document, const SearchReport& report, std::size_t index) {
+  const Mechanism& mechanism = report.mechanism;
+  const SearchCell& cell = report.result.cells[index];
+  const auto impact = report.impacts.find(index);
+  const bool gains = impact != report.impacts.end();
   Document& below = document.item(motions_text(cell.found) + (gains ? ", with a gain of energy" : ""));
   for (const std::size_t contact : cell.found.not_modelled) {
     below.paragraph("where it is not modelled that the contact " + mechanism.contacts[contact].name + " opens");
   }
   const std::string simplest = place_text(mechanism, cell.simplest);
   below.paragraph(counted(cell.samples, "sample") + (simplest.empty() ? "" : ", at " + simplest));
-  if (gains) write_energies(below, mechanism, cell.simplest);
+  if (gains) write_energies(below, impact->second);
   if (mechanism.realisable.empty()) return;
   const std::string built = cell.realisable ? place_text(mechanism, *cell.realisable) : "";
   if (!cell.realisable) {
@@ -206,13 +203,14 @@ Document search_document(const SearchReport& report) {
   write_head(document, report);
   std::optional<MotionCount> count;
   Document* section = nullptr;
-  for (const SearchCell& cell : report.result.cells) {
-    if (count != cell.found.count) {
-      count = cell.found.count;
+  for (std::size_t i = 0; i < report.result.cells.size(); ++i) {
+    const MotionCount its = report.result.cells[i].found.count;
+    if (count != its) {
+      count = its;
       section =
           &document.section(std::string(title(*count)) + ": at " + counted(report.result.count(*count), "sample"));
     }
-    write_cell(*section, report.mechanism, cell);
+    write_cell(*section, report, i);
   }
   document.status(last_line(report));
   return document;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,12 +20,16 @@ struct SearchReport {
   const SearchOptions& options;  ///< of the search
   std::string within;            ///< the conditions that narrowed its domain; empty: none
   SearchResult result;
-  std::optional<UniqueEverywhere> proof = {};  ///< proves that there is one motion in the whole domain
+  std::optional<UniqueEverywhere> proof = {};        ///< proves that there is one motion in the whole domain
+  std::map<std::size_t, SolvedImpact> impacts = {};  ///< of cells that gain energy, at their simplest places
 };
+
+/// solve_impact()
+using SolveImpact = std::function<SolvedImpact(MechanismScene)>;
 
 /// Searches, and looks for a proof if the search finds nothing; uses the crew if there is one.
 SearchReport searched(const Mechanism& mechanism, const SearchOptions& options, std::string within,
-                      MotionSearch& search, Crew* crew = nullptr);
+                      MotionSearch& search, const SolveImpact& solve, Crew* crew = nullptr);
 
 enum class SearchVerdict : std::uint8_t {
   unique,      ///< it is proved that there is one motion in the whole domain
@@ -34,9 +40,6 @@ enum class SearchVerdict : std::uint8_t {
 SearchVerdict verdict(const SearchReport& report);
 /// `unique`, `none found`, `found`, `undecided`.
 std::string_view name(SearchVerdict verdict);
-
-/// The outcomes of an impact at a place.
-SolvedImpact impact_at(const Mechanism& mechanism, const SearchPlace& place);
 
 /// For people.
 Document search_document(const SearchReport& report);

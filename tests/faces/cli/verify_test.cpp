@@ -211,7 +211,6 @@ TEST_CASE("usage errors of verify exit with 2") {
                                              {"verify", "--seed", "-1"},
                                              {"verify", "--threads", "x"},
                                              {"verify", "--threads", "-1"},
-                                             {"verify", "a", "b"},
                                              {"verify", "--frobnicate"}}) {
     CHECK(run(arguments).exit_code == 2);
   }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "contact/impact/solve_impact.hpp"
 #include "contact/space/search_space.hpp"
 #include "faces/cli/command.hpp"
 #include "faces/cli/crew_run.hpp"
@@ -53,7 +54,7 @@ Exit run_search(SearchArguments& arguments) {
       arguments.crew, options.threads, [&] { return searched_work(arguments, mechanism); }, Inputs{mechanism.file},
       [&](std::string_view request) { return search.answer(request); });
   if (crew && crew->serve()) return success;
-  const SearchReport report = searched(mechanism, options, arguments.within, search, crew.get());
+  const SearchReport report = searched(mechanism, options, arguments.within, search, solve_impact, crew.get());
   print_report(
       arguments.common, [&] { return search_json(report); }, [&] { return search_document(report); });
   switch (verdict(report)) {

@@ -126,7 +126,8 @@ int run_verify(VerifyArguments& options, const CLI::Option& samples) {
   const bool as_one = !options.verify.only.empty() || !flag_about_one_paper(options).empty();
   if (papers.size() > 1 || (papers.size() == 1 && !as_one)) {
     if (samples.empty()) options.verify.samples = samples_of_many;
-    return verify_papers(with_claims(papers, options.verify.only, path), options);
+    const std::filesystem::path named = paths.size() == 1 ? path : "CLAIMS";
+    return verify_papers(with_claims(papers, options.verify.only, named), options);
   }
   if (papers.size() == 1) path = papers.front();
   const ClaimsFile file = read_claims(path);
