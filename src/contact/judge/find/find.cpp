@@ -203,9 +203,13 @@ std::optional<std::vector<double>> converged_answer(const MixedProblem& problem,
 std::optional<Enclosure> another_solution(const MixedProblem& problem, const Enclosure& first,
                                           const FindOptions& options) {
   const std::vector<double> scales = contact_scales(problem), x = center_of(first);
+  const Work n = first.system.size(), of_one = 4 * times(n * n, n);
+  const Work affordable = options.effort / std::max<Work>(of_one, 1);
+  EnclosureOptions enclosing;
+  enclosing.modes = static_cast<int>(std::min<Work>(static_cast<Work>(enclosing.modes), affordable));
   const auto from = [&](std::vector<double> start) -> std::optional<Enclosure> {
     if (!complete_free_unknowns(problem, start)) return std::nullopt;
-    auto found = enclose_solution(problem, start);
+    auto found = enclose_solution(problem, start, enclosing);
     auto* box = std::get_if<Enclosure>(&found);
     if (box == nullptr || !apart(first, *box)) return std::nullopt;
     return std::move(*box);
@@ -213,9 +217,8 @@ std::optional<Enclosure> another_solution(const MixedProblem& problem, const Enc
   std::vector<double> none = x;
   std::fill(none.begin() + static_cast<std::ptrdiff_t>(problem.free), none.end(), 0);
   if (auto found = from(none)) return found;
-  const Work n = first.system.size(), of_one = 4 * times(n * n, n);
-  const Work most =
-      std::min<Work>({problem.contacts(), options.neighbours, options.effort / std::max<Work>(of_one, 1)});
+  if (affordable < problem.contacts()) return std::nullopt;  // some neighbours would say nothing of the others
+  const Work most = std::min<Work>(problem.contacts(), options.neighbours);
   for (std::size_t k = 0; k < most; ++k) {
     std::vector<double> start = x;
     const std::size_t normal = problem.normal(k);
