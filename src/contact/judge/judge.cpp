@@ -173,7 +173,7 @@ class ContactCase {
   void enclose() {
     const bool right = j_.residual->backward_error() <= options_.tolerance;
     const bool quick = !right && !options_.refine;
-    const EnclosureOptions options = quick ? without_large_blocks(options_.enclosure) : options_.enclosure;
+    const EnclosureOptions options = quick ? with_little_work(options_.enclosure) : options_.enclosure;
     auto found = enclose_solution(problem_, j_.x, options);
     if (auto* box = std::get_if<Enclosure>(&found)) {
       if (right || !problem_.is_coulomb() || error_from(*box) <= contact_near) return take(std::move(*box));

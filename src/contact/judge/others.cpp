@@ -44,9 +44,11 @@ class KnownSolution {
 
 }  // namespace
 
-EnclosureOptions without_large_blocks(EnclosureOptions options) {
+EnclosureOptions with_little_work(EnclosureOptions options) {
   constexpr std::size_t large = 1500;
+  constexpr int few = 10;
   options.largest_block = std::min(options.largest_block, large);
+  options.modes = std::min(options.modes, few);
   return options;
 }
 
@@ -107,7 +109,7 @@ std::optional<Enclosure> enclose_inside(const MixedProblem& problem, std::span<c
                                         const EnclosureOptions& options, Effort& effort,
                                         std::span<const double> toward) {
   constexpr double well = 1e-3;  // of the largest force
-  const EnclosureOptions own = without_large_blocks(options);
+  const EnclosureOptions own = with_little_work(options);
   for (const double margin : {toward.empty() ? near / 8 : well / 8, well}) {
     auto inside = forces_inside(problem, x, near, margin, effort, toward);
     if (!inside) continue;

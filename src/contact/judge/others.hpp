@@ -6,8 +6,9 @@
 
 namespace slipproof {
 
-/// Leaves out blocks of which a dense inverse would take longer than all the rest; those with sparse factors stay.
-EnclosureOptions without_large_blocks(EnclosureOptions options);
+/// Leaves out blocks of which a dense inverse would take longer than all the rest; those with sparse factors stay. Few
+/// modes are tried.
+EnclosureOptions with_little_work(EnclosureOptions options);
 
 /// Whether a solution may be near an answer: where the law fails all around, it is not. `within` is what counts as
 /// near, in place of `contact_near`.

@@ -1,6 +1,7 @@
 #include "contact/path/follow.hpp"
 
 #include <Eigen/LU>
+#include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,6 +19,44 @@ constexpr double converged = 1e-20;  ///< steps of Newton's method, in the measu
 constexpr double accepted = 1e-6;    ///< the same where rounding stops it before: along what hardly determines x
 constexpr double largest_step = 0.5, least_step = 1e-15;
 constexpr double least_t = 0x1p-60;  ///< what is left is beyond the digits of the equations
+
+/// The factors of a derivative, of which mostly few entries are not 0 where bodies are unknowns.
+class LongFactors {
+ public:
+  /// Throws TooMuchWork.
+  void compute(const LongMatrix& J, Effort& effort) {
+    const Eigen::Index n = J.rows();
+    const auto size = static_cast<Work>(n);
+    std::vector<Eigen::Triplet<DoubleDouble>> entries;
+    for (Eigen::Index j = 0; j < n; ++j) {
+      for (Eigen::Index i = 0; i < n; ++i) {
+        if (J(i, j).high != 0) entries.emplace_back(i, j, J(i, j));
+      }
+    }
+    is_sparse_ = 10 * entries.size() <= size * size;
+    effort.spend(is_sparse_ ? times(size, size) : times(size * size, size));
+    if (!is_sparse_) {
+      dense_.compute(J);
+      return;
+    }
+    Eigen::SparseMatrix<DoubleDouble> matrix(n, n);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    sparse_.compute(matrix);
+    is_regular_ = sparse_.info() == Eigen::Success;
+    if (!is_regular_) return;
+    effort.spend(4 * times(static_cast<Work>(sparse_.nnzL()), static_cast<Work>(sparse_.nnzU())) / size);
+  }
+
+  bool is_regular() const { return !is_sparse_ || is_regular_; }
+  LongVector solve(const LongVector& right) const {
+    return is_sparse_ ? LongVector(sparse_.solve(right)) : LongVector(dense_.solve(right));
+  }
+
+ private:
+  bool is_sparse_ = false, is_regular_ = false;
+  Eigen::PartialPivLU<LongMatrix> dense_;
+  Eigen::SparseLU<Eigen::SparseMatrix<DoubleDouble>> sparse_;
+};
 
 class PathWalk {
  public:
@@ -53,7 +92,6 @@ class PathWalk {
   /// Factors the derivative, bordered by a row along which the path goes up, and finds its direction.
   bool prepare(const LongVector& border) {
     const Eigen::Index n = point_.unknowns() + 1;
-    effort_.spend(times(times(static_cast<Work>(n), static_cast<Work>(n)), static_cast<Work>(n)));
     LongMatrix J = LongMatrix::Zero(n, n);
     point_.equations(&J);
     J.row(n - 1) = border.transpose();
@@ -66,7 +104,8 @@ class PathWalk {
       scale_[static_cast<std::size_t>(i)] = s;
       for (Eigen::Index j = 0; j < n; ++j) J(i, j) = {J(i, j).high * s, J(i, j).low * s};
     }
-    factors_.compute(J);
+    factors_.compute(J, effort_);
+    if (!factors_.is_regular()) return false;
     LongVector up = LongVector::Zero(n);
     up[n - 1] = 1;
     tangent_ = solve(std::move(up));
@@ -158,7 +197,7 @@ class PathWalk {
 
   PathPoint point_;
   Effort& effort_;
-  Eigen::PartialPivLU<LongMatrix> factors_;
+  LongFactors factors_;
   std::vector<double> scale_;  ///< of the rows of the derivative
   LongVector tangent_;
   bool moved_ = false;

@@ -26,6 +26,8 @@ std::vector<Rational> unknowns_of(const ModeSystem& system, const PathEnd& end) 
 }
 
 class LongEnclosure {
+  static constexpr std::size_t few = 40;  ///< equations, for an exact inverse
+
  public:
   LongEnclosure(const MixedProblem& problem, const PathEnd& end)
       : problem_(problem),
@@ -55,12 +57,36 @@ class LongEnclosure {
     return finished();
   }
 
+  /// After run(): the end with that contact sliding which sticks farthest outside of its cone; nothing if none does.
+  std::optional<PathEnd> with_slide(PathEnd end) const {
+    double farthest = 1;
+    std::optional<std::size_t> which;
+    for (std::size_t k = 0; k < problem_.contacts(); ++k) {
+      const std::size_t n = problem_.normal(k);
+      if (box_.system.mode()[k] != ConeState::stick || !(problem_.mu[k] > 0) || problem_.dimension == 1) continue;
+      const double bound = problem_.mu[k] * near(n);
+      const double T = std::hypot(near(n + 1), problem_.dimension == 3 ? near(n + 2) : 0);
+      if (bound > 0 && T > farthest * bound) farthest = T / bound, which = k;
+    }
+    if (!which) return std::nullopt;
+    const std::size_t n = problem_.normal(*which);
+    const bool in_space = problem_.dimension == 3;
+    const double T1 = near(n + 1), T2 = in_space ? near(n + 2) : 0, T = std::hypot(T1, T2);
+    const Rational bound = to_rational(problem_.mu[*which]) * end.x[n];
+    end.x[n + 1] = bound * to_rational(T1 / T);
+    if (in_space) end.x[n + 2] = bound * to_rational(T2 / T);
+    end.mode[*which] = in_space ? ConeState::slide : T1 < 0 ? ConeState::slide_plus : ConeState::slide_minus;
+    end.slip[*which] = 0;
+    return end;
+  }
+
  private:
   bool make_regular(const SystemBlock& block) {
     const DependentPart part = dependent_in_long_numbers(box_.system, block, z_);
     std::vector<DroppedEquation> dropped;
     for (const std::size_t e : part.equations) dropped.push_back({e, {}});
-    if (!combine(problem_, box_.system, block.equations, dropped)) return false;
+    // Not exactly dependent: few equations may still be regular, in more digits.
+    if (!combine(problem_, box_.system, block.equations, dropped)) return block.equations.size() <= few;
     for (const std::size_t j : part.unknowns) {
       pinned_[j] = true;
       z_[j] = to_rational(nearest_binary64(z_[j]));
@@ -73,7 +99,14 @@ class LongEnclosure {
   }
 
   bool test(const SystemBlock& block) {
-    LongTest test(box_.system, block, z_);
+    const std::vector<Rational> before = z_;
+    if (test(block, LongTest::Inverse::rough)) return true;
+    z_ = before;
+    return block.unknowns.size() <= few && test(block, LongTest::Inverse::exact);
+  }
+
+  bool test(const SystemBlock& block, LongTest::Inverse inverse) {
+    LongTest test(box_.system, block, z_, inverse);
     const auto found = test.run();
     if (!found) return false;
     for (std::size_t j = 0; j < block.unknowns.size(); ++j) radius_[block.unknowns[j]] = found->radius[j];
@@ -130,6 +163,8 @@ class LongEnclosure {
     return std::min(N.sign(), state == ConeState::slide_plus ? u.least.sign() : -u.greatest.sign());
   }
 
+  double near(std::size_t component) const { return nearest_binary64(z_[box_.system.unknown(component)]); }
+
   bool conditions_hold() {
     for (std::size_t k = 0; k < problem_.contacts(); ++k) {
       const int sign = least_sign(k);
@@ -172,8 +207,16 @@ class LongEnclosure {
 
 }  // namespace
 
-std::optional<Enclosure> enclose_in_long_numbers(const MixedProblem& problem, const PathEnd& end, Effort& effort) {
-  return LongEnclosure(problem, end).run(effort);
+std::optional<Enclosure> enclose_in_long_numbers(const MixedProblem& problem, PathEnd end, Effort& effort) {
+  constexpr std::size_t small = 120;  // components, to try other modes
+  const int most_slides = problem.size() <= small ? 4 : 0;
+  for (int slides = 0;; ++slides) {
+    LongEnclosure enclosure(problem, end);
+    if (auto box = enclosure.run(effort)) return box;
+    auto next = slides < most_slides ? enclosure.with_slide(std::move(end)) : std::nullopt;
+    if (!next) return std::nullopt;
+    end = *std::move(next);
+  }
 }
 
 }  // namespace slipproof

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/algebra/flint_matrix.hpp"
 #include "base/number/binary64.hpp"
 #include "base/parallel/stop.hpp"
 #include "contact/enclosure/fit.hpp"
@@ -22,8 +23,10 @@ using Eigen::Index;
 constexpr double least_radius = 0x1p-300;
 constexpr int largest_exponent = 100;
 
+}  // namespace
+
 /// A block's derivative with rows and columns scaled, exactly.
-struct ScaledDerivative {
+struct LongTest::ScaledDerivative {
   std::vector<std::vector<std::pair<std::size_t, Rational>>> entries;  ///< of each equation, unknowns of the block
   std::vector<int> rows, columns;
 
@@ -63,11 +66,9 @@ struct ScaledDerivative {
   }
 };
 
-}  // namespace
-
 DependentPart dependent_in_long_numbers(const ModeSystem& system, const SystemBlock& block,
                                         std::span<const Rational> z) {
-  LongMatrix J = ScaledDerivative(system, block, z).matrix();
+  LongMatrix J = LongTest::ScaledDerivative(system, block, z).matrix();
   // An equation that no unknown of the block is in holds or fails by its constant; an unknown that is in no equation
   // may have any value.
   if (J.size() == 0) return {block.equations, block.unknowns, true};
@@ -91,8 +92,14 @@ DependentPart dependent_in_long_numbers(const ModeSystem& system, const SystemBl
   return part;
 }
 
-LongTest::LongTest(const ModeSystem& system, const SystemBlock& block, std::vector<Rational>& z)
-    : system_(system), block_(block), z_(z), n_(block.unknowns.size()), defect_(n_), size_(n_) {}
+LongTest::LongTest(const ModeSystem& system, const SystemBlock& block, std::vector<Rational>& z, Inverse inverse)
+    : system_(system),
+      block_(block),
+      z_(z),
+      is_exact_(inverse == Inverse::exact),
+      n_(block.unknowns.size()),
+      defect_(n_),
+      size_(n_) {}
 
 std::optional<KrawczykBox> LongTest::run() {
   if (!improve() || !invert()) return std::nullopt;
@@ -118,7 +125,7 @@ Rational LongTest::scaled_value(std::size_t equation) const {
   return system_.value(block_.equations[equation], z_) * power_of_two(rows_[equation]);
 }
 
-/// 110 bits for the largest entry; false where there is none.
+/// False where the derivative has no inverse.
 bool LongTest::invert() {
   const ScaledDerivative J(system_, block_, z_);
   rows_ = J.rows;
@@ -126,6 +133,26 @@ bool LongTest::invert() {
   const auto too_large = [](int exponent) { return std::abs(exponent) > largest_exponent; };
   if (std::any_of(rows_.begin(), rows_.end(), too_large)) return false;
   if (std::any_of(columns_.begin(), columns_.end(), too_large)) return false;
+  inverse_.assign(n_, std::vector<Integer>(n_));
+  return is_exact_ ? invert_exactly(J) : invert_roughly(J);
+}
+
+/// The exact inverse, cut off after a fixed number of bits below 1.
+bool LongTest::invert_exactly(const ScaledDerivative& J) {
+  FlintRationalMatrix R(n_, n_);
+  for (std::size_t i = 0; i < n_; ++i) {
+    for (const auto& [j, value] : J.entries[i]) R.set(i, j, value);
+  }
+  if (fmpq_mat_inv(R.get(), R.get()) == 0) return false;
+  digits_ = 320;
+  for (std::size_t j = 0; j < n_; ++j) {
+    for (std::size_t i = 0; i < n_; ++i) inverse_[j][i] = scaled_truncation(R.at(j, i), digits_);
+  }
+  return true;
+}
+
+/// 110 bits for the largest entry.
+bool LongTest::invert_roughly(const ScaledDerivative& J) {
   const LongMatrix R = Eigen::PartialPivLU<LongMatrix>(J.matrix()).inverse();
   double largest = 0;
   for (Index i = 0; i < R.size(); ++i) {
@@ -134,7 +161,6 @@ bool LongTest::invert() {
     largest = std::max(largest, size);
   }
   digits_ = 110 + exponent_to_one(largest);
-  inverse_.assign(n_, std::vector<Integer>(n_));
   for (std::size_t j = 0; j < n_; ++j) {
     for (std::size_t i = 0; i < n_; ++i) {
       inverse_[j][i] = scaled_truncation(exact_number(R(static_cast<Index>(j), static_cast<Index>(i))), digits_);
@@ -143,28 +169,47 @@ bool LongTest::invert() {
   return true;
 }
 
-/// Newton's method, each step with 30 digits of its own; unknowns are kept with 190 bits.
+/// R F, in unknowns: with 30 digits, or exactly.
+std::vector<Rational> LongTest::newton_step() const {
+  std::vector<Rational> F, step(n_);
+  for (std::size_t i = 0; i < n_; ++i) F.push_back(scaled_value(i));
+  for (std::size_t j = 0; j < n_; ++j) {
+    DoubleDouble rough = 0;
+    for (std::size_t i = 0; i < n_; ++i) {
+      const Rational r = Rational(inverse_[j][i]) * power_of_two(-digits_);
+      if (is_exact_) {
+        step[j] += r * F[i];
+      } else {
+        rough += to_double_double(r) * to_double_double(F[i]);
+      }
+    }
+    if (!std::isfinite(rough.high)) return {};
+    if (!is_exact_) step[j] = exact_number(rough);
+    step[j] *= power_of_two(columns_[j]);
+  }
+  return step;
+}
+
+/// Newton's method. Unknowns are kept with 190 bits, and with an exact inverse with 640.
 bool LongTest::improve() {
+  const int steps = is_exact_ ? 12 : 6, inverses = is_exact_ ? 12 : 2, kept = is_exact_ ? 640 : 190;
+  const double converged = is_exact_ ? 1e-150 : 1e-45;
   double last = std::numeric_limits<double>::infinity();
-  for (int step = 0; step < 6; ++step) {
-    if (step < 2 && !invert()) return false;
-    LongVector F(static_cast<Index>(n_));
-    for (std::size_t i = 0; i < n_; ++i) F[static_cast<Index>(i)] = to_double_double(scaled_value(i));
+  for (int i = 0; i < steps; ++i) {
+    if (i < inverses && !invert()) return false;
+    const std::vector<Rational> step = newton_step();
+    if (step.empty()) return false;
     double largest = 0;
     for (std::size_t j = 0; j < n_; ++j) {
-      DoubleDouble d = 0;
-      for (std::size_t i = 0; i < n_; ++i) {
-        d += to_double_double(Rational(inverse_[j][i]) * power_of_two(-digits_)) * F[static_cast<Index>(i)];
-      }
-      if (!std::isfinite(d.high)) return false;
       Rational& z = z_[block_.unknowns[j]];
-      z -= exact_number(d) * power_of_two(columns_[j]);
-      const double size = std::abs(nearest_binary64(z));
-      const int digits = 190 + exponent_to_one(size);
+      z -= step[j];
+      const double size = upper_size(z);
+      if (!std::isfinite(size)) return false;
+      const int digits = kept + exponent_to_one(size);
       z = Rational(scaled_truncation(z, digits)) * power_of_two(-digits);
-      if (size > 0) largest = std::max(largest, std::abs(std::ldexp(d.high, columns_[j])) / size);
+      if (size > 0) largest = std::max(largest, upper_size(step[j]) / size);
     }
-    if (largest < 1e-45 || largest > 0.1 * last) break;
+    if (largest < converged || (!is_exact_ && largest > 0.1 * last)) break;
     last = largest;
   }
   return true;

@@ -15,11 +15,13 @@ namespace slipproof {
 namespace {
 
 PathEnd end_at(const MixedProblem& part, const Enclosure& box) {
-  PathEnd end{box.system.mode(), to_rationals(center_of(box)), std::vector<Rational>(part.contacts())};
-  for (std::size_t k = 0; k < part.contacts(); ++k) {
-    const std::size_t s = box.system.slip(k);
-    if (s != ModeSystem::none) end.slip[k] = to_rational(box.center[s]);
-  }
+  const auto center = [&](std::size_t unknown) {
+    if (unknown == ModeSystem::none) return Rational(0);
+    return box.proof ? box.proof->center[unknown] : to_rational(box.center[unknown]);
+  };
+  PathEnd end{box.system.mode(), {}, {}};
+  for (std::size_t i = 0; i < part.size(); ++i) end.x.push_back(center(box.system.unknown(i)));
+  for (std::size_t k = 0; k < part.contacts(); ++k) end.slip.push_back(center(box.system.slip(k)));
   return end;
 }
 
@@ -42,18 +44,16 @@ std::optional<PathEnd> solve_part(const MixedProblem& part, std::span<const doub
   const auto found = enclose_solution(part, x);
   if (const auto* box = std::get_if<Enclosure>(&found)) return end_at(part, *box);
   if (part.size() > largest_on_path) return std::nullopt;
-  const auto leads_to_one = [&](const std::optional<PathEnd>& end) {
-    return end && (!elsewhere || enclose_in_long_numbers(part, *end, effort));
-  };
   auto end = follow_path(part, x, effort);
   if (!elsewhere) return end;
-  for (int i = 0; !leads_to_one(end); ++i) {
+  for (int i = 0;; ++i) {
+    const auto box = end ? enclose_in_long_numbers(part, *std::move(end), effort) : std::nullopt;
+    if (box) return end_at(part, *box);
     const std::vector<double> other = elsewhere(part, i);
     if (other.empty()) return std::nullopt;
     end.reset();
     if (have_same_velocities(part, x, other)) end = follow_path(part, other, effort);
   }
-  return end;
 }
 
 }  // namespace

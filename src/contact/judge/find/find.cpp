@@ -7,10 +7,12 @@
 #include <map>
 
 #include "base/algebra/union_find.hpp"
+#include "base/number/dice.hpp"
 #include "base/parallel/stop.hpp"
 #include "contact/enclosure/answer.hpp"
 #include "contact/enclosure/residual.hpp"
 #include "contact/enclosure/sizes.hpp"
+#include "contact/judge/find/contact_newton.hpp"
 #include "contact/judge/find/sweeps.hpp"
 #include "contact/problem/parts.hpp"
 
@@ -126,6 +128,31 @@ std::vector<double> pressed_by(const MixedProblem& problem, double part) {
   return x;
 }
 
+/// Where sweeps and Newton's method go round in circles, as where an indefinite matrix has one solution among many
+/// modes: Newton's method from many modes of few contacts.
+std::optional<std::vector<double>> from_random_forces(const MixedProblem& part) {
+  constexpr std::size_t few = 12;  // contacts
+  constexpr int starts = 1'000;
+  if (!part.is_coulomb() || part.dimension == 1 || part.contacts() > few) return std::nullopt;
+  const double size = contact_sizes(part).force;
+  const ContactNewton newton(part);
+  Twister random(1);
+  const auto number = [&](double most) { return most * static_cast<double>(random() % 1024) / 1024; };
+  for (int start = 0; start < starts; ++start) {
+    stop_if_asked();
+    DenseVector r = DenseVector::Zero(static_cast<Eigen::Index>(part.size()));
+    for (std::size_t k = 0; k < part.contacts(); ++k) {
+      const auto normal = static_cast<Eigen::Index>(part.normal(k));
+      r[normal] = std::max(0.0, number(4 * size) - size);
+      for (Eigen::Index i = 1; i < static_cast<Eigen::Index>(part.dimension); ++i) {
+        r[normal + i] = (number(4) - 2) * part.mu[k] * r[normal];
+      }
+    }
+    if (newton.solve(r, start)) return std::vector<double>(r.begin(), r.end());
+  }
+  return std::nullopt;
+}
+
 /// One part, from other forces where it does not converge: where these are redundant, sweeps may creep along them.
 std::vector<double> swept_from_anywhere(const MixedProblem& part, std::vector<double> r, const FindOptions& options) {
   constexpr std::size_t few = 100;  // contacts
@@ -135,6 +162,7 @@ std::vector<double> swept_from_anywhere(const MixedProblem& part, std::vector<do
     SweptForces next = swept(part, pressed_by(part, force), options.rounds, options.newton);
     if (next.agreed) return std::move(next.r);
   }
+  if (auto found = from_random_forces(part)) return *std::move(found);
   return std::move(first.r);
 }
 
@@ -203,9 +231,13 @@ std::optional<std::vector<double>> converged_answer(const MixedProblem& problem,
 std::optional<Enclosure> another_solution(const MixedProblem& problem, const Enclosure& first,
                                           const FindOptions& options) {
   const std::vector<double> scales = contact_scales(problem), x = center_of(first);
+  const Work n = first.system.size(), of_one = 4 * times(n * n, n);
+  const Work affordable = options.effort / std::max<Work>(of_one, 1);
+  EnclosureOptions enclosing;
+  enclosing.modes = static_cast<int>(std::min<Work>(static_cast<Work>(enclosing.modes), affordable));
   const auto from = [&](std::vector<double> start) -> std::optional<Enclosure> {
     if (!complete_free_unknowns(problem, start)) return std::nullopt;
-    auto found = enclose_solution(problem, start);
+    auto found = enclose_solution(problem, start, enclosing);
     auto* box = std::get_if<Enclosure>(&found);
     if (box == nullptr || !apart(first, *box)) return std::nullopt;
     return std::move(*box);
@@ -213,9 +245,8 @@ std::optional<Enclosure> another_solution(const MixedProblem& problem, const Enc
   std::vector<double> none = x;
   std::fill(none.begin() + static_cast<std::ptrdiff_t>(problem.free), none.end(), 0);
   if (auto found = from(none)) return found;
-  const Work n = first.system.size(), of_one = 4 * times(n * n, n);
-  const Work most =
-      std::min<Work>({problem.contacts(), options.neighbours, options.effort / std::max<Work>(of_one, 1)});
+  if (affordable < problem.contacts()) return std::nullopt;  // some neighbours would say nothing of the others
+  const Work most = std::min<Work>(problem.contacts(), options.neighbours);
   for (std::size_t k = 0; k < most; ++k) {
     std::vector<double> start = x;
     const std::size_t normal = problem.normal(k);
