@@ -226,6 +226,14 @@ class Scenes(unittest.TestCase):
         self.assertNotIn("space-rolling/ball-rolls-0-0-3-4-0", asked)  # it moves on
         self.assertGreater(len(asked), 40)
 
+    def test_energy_is_asked_where_nothing_drives(self):
+        asked = {name for name, scene in self.scenes.items() if scene.undriven}
+        self.assertLessEqual({"space-energy/box-slides", "space-energy/box-in-flight", "space-stand/three-cubes-0-0-0"}, asked)
+        for driven in ("space-cone/cube-held-at-37", "space-slope/tripod-on-slope", "space-impact/pair-e-1"):
+            self.assertNotIn(driven, asked)
+        self.assertTrue(self.scenes["space-energy/box-in-flight"].stays)
+        self.assertFalse(self.scenes["space-energy/box-slides"].stays)
+
     def test_in_space_what_no_first_step_can_say_is_refused(self):
         scene = self.scenes["space-rolling/tripod-spins-10-1-0"].bodies()
         WorldInSpace(scene).built()
