@@ -38,7 +38,9 @@ class Interview:
         for name, iterations in self.settings():
             yield self.kept(scene, name or "default", lambda: self.one(scene, iterations)[1])
         if scene.rests and not self.engine.given.get("problem"):
-            yield self.kept(scene, "drift", lambda: self.drift(scene))
+            yield self.kept(scene, "drift", lambda: self.watched(scene, "drift"))
+        if scene.undriven and (self.engine.shapes or scene.stays) and not self.engine.given.get("problem"):
+            yield self.kept(scene, "energy", lambda: self.watched(scene, "energy"))
         if not self.bisects or not scene.expected or not scene.expected.get("threshold"):
             return
         for name, iterations in self.settings():
@@ -56,15 +58,17 @@ class Interview:
             raise Failed("an acceleration that is no number")
         return question, answer
 
-    def drift(self, scene):
-        """How far bodies move in 1, 10 and 100 steps, at default settings."""
+    def watched(self, scene, what):
+        """How far bodies move in 1, 10 and 100 steps, or how much their energy rises in 1,000, at default settings."""
         question = scene.question(None, shapes=self.engine.shapes)
-        question["ask"]["drift"] = True
+        question["ask"]["watch"] = what
+        if what == "energy":  # 1,000 steps in which what slides comes to rest
+            question["ask"]["step"] = max(question["ask"]["step"], 1e-3)
         answer = self.asked.answer(question)
         if "refused" in answer:
             raise Refused(answer["refused"])
-        if any(value is None or value != value for value in answer["drift"].values()):
-            raise Failed("a drift that is no number")
+        if any(value is None or value != value for value in answer[what].values()):
+            raise Failed(f"{what}: no number")
         return answer
 
     def threshold(self, scene, iterations):

@@ -86,7 +86,7 @@ struct Question {
   std::vector<Friction> friction{};
   std::vector<Shape> shapes{};  ///< empty: the contacts are those of the scene
   bool impact = false;          ///< contacts approach: asks for velocities after the step and impulses
-  bool drifts = false;          ///< asks how far bodies move that should rest, not for an acceleration
+  std::string watch;            ///< `drift`, `energy`: asks for that over many steps, not for an acceleration
 
   /// For engines that find contacts themselves: a disc of the contact's own radius, or a small one, touches a square of
   /// half the width `half` in the middle of its upper side.
@@ -104,8 +104,7 @@ struct Answer {
   std::vector<std::array<double, 6>> velocity;
   std::map<std::string, double> forces;
   bool tells_forces = true;
-  std::map<std::string, double>
-      drift;  ///< by the number of steps: how far a body is from where it began, over the size
+  std::map<std::string, double> watched;  ///< by the number of steps
   Json settings = Json::object();
 
   /// Of a contact: along its normal and its tangent.
@@ -116,21 +115,6 @@ struct Answer {
   /// In space.
   void push(const Contact& contact, const Vector& force);
 };
-
-/// After 1, 10 and 100 steps of which the first is made. `step()` makes one more, pushes included, and `place(i)` gives
-/// the centre of a body.
-template <class Step, class Place>
-void watch_drift(const Question& q, Answer& answer, const Step& step, const Place& place) {
-  for (int n = 1; n <= 100; ++n) {
-    if (n > 1) step();
-    if (n != 1 && n != 10 && n != 100) continue;
-    double& farthest = answer.drift[std::to_string(n)];
-    for (std::size_t i = 1; i < q.bodies.size(); ++i) {
-      const Vector at = place(i), &was = q.bodies[i].at;
-      farthest = std::max(farthest, std::hypot(at[0] - was[0], at[1] - was[1], at[2] - was[2]) / q.size);
-    }
-  }
-}
 
 /// Why an engine cannot have a scene.
 struct Refused : std::runtime_error {
@@ -159,6 +143,53 @@ inline Vector in_body(const Body& body, const Vector& v, bool back = false) {
   const Vector once = cross(axis, v), twice = cross(axis, once);
   return {v[0] + 2 * (w * once[0] + twice[0]), v[1] + 2 * (w * once[1] + twice[1]),
           v[2] + 2 * (w * once[2] + twice[2])};
+}
+
+/// Where a body is, and how it moves.
+struct Pose {
+  Vector at{};
+  Quaternion turn{1, 0, 0, 0};  ///< brings its principal axes into the scene
+  Vector velocity{}, spin{};
+};
+
+/// Kinetic energy and potential energy above the place at the start.
+inline double energy(const Question& q, const Body& body, const Pose& pose) {
+  Body now = body;
+  now.turn = pose.turn;
+  const Vector w = in_body(now, pose.spin), &m = body.moments, &at = body.at;
+  const Vector moved{pose.at[0] - at[0], pose.at[1] - at[1], pose.at[2] - at[2]};
+  return 0.5 * (body.mass * dot(pose.velocity, pose.velocity) + m[0] * w[0] * w[0] + m[1] * w[1] * w[1] +
+                m[2] * w[2] * w[2]) -
+         body.mass * dot(q.gravity, moved);
+}
+
+/// Over steps of which the first is made. `drift`: how far a body is from where it began after 1, 10 and 100 steps,
+/// over the size. `energy`: by how much it has risen at most above that of an earlier step or the start, up to 1, 10,
+/// 100 and 1,000 steps, over that at the start and what would lift all bodies by the size. `step()` makes one more
+/// step, pushes included, and `pose(i)` is that of a body.
+template <class Step, class PoseOf>
+void watch(const Question& q, Answer& answer, const Step& step, const PoseOf& pose) {
+  const bool of_energy = q.watch == "energy";
+  double before = 0, lift = 0, rise = 0;
+  for (const Body& body : q.bodies) {
+    before += energy(q, body, {body.at, body.turn, body.velocity, body.spins});
+    lift += body.mass * std::sqrt(dot(q.gravity, q.gravity)) * q.size;
+  }
+  double lowest = before;
+  for (int n = 1; n <= (of_energy ? 1000 : 100); ++n) {
+    if (n > 1) step();
+    double total = 0, farthest = 0;
+    for (std::size_t i = 1; i < q.bodies.size(); ++i) {
+      const Pose now = pose(i);
+      const Vector& was = q.bodies[i].at;
+      total += energy(q, q.bodies[i], now);
+      farthest = std::max(farthest, std::hypot(now.at[0] - was[0], now.at[1] - was[1], now.at[2] - was[2]) / q.size);
+    }
+    rise = std::isfinite(total) ? std::max(rise, total - lowest) : total;  // not a number stays one
+    lowest = std::min(lowest, total);
+    if (n == 1 || n == 10 || n == 100 || n == 1000)
+      answer.watched[std::to_string(n)] = of_energy ? rise / (before + lift) : farthest;
+  }
 }
 
 inline void Answer::push(const Contact& contact, const Vector& force) {
@@ -219,7 +250,7 @@ inline Shape read_shape(const Json& given) {
 inline Question read_question(const Json& line) {
   const Json &ask = line.at("ask"), &world = ask.at("world");
   Question q{world["gravity"].size() == 3, vector(world["gravity"]), world["size"], ask["step"]};
-  q.drifts = ask.value("drift", false);
+  q.watch = ask.value("watch", "");
   q.impact = line.contains("impact");
   if (!ask["iterations"].is_null()) q.iterations = ask["iterations"];
   for (const Json& one : world["bodies"]) q.bodies.push_back(read_body(one));
@@ -260,9 +291,9 @@ inline Json answer_to(const Engine& engine, const Json& line) {
     }
     result["settings"] = answer.settings;
     result["settings"]["step"] = question.step;
-    if (question.drifts) {
-      if (answer.drift.empty()) throw Refused("the adapter makes one step only");
-      result["drift"] = answer.drift;
+    if (!question.watch.empty()) {
+      if (answer.watched.empty()) throw Refused("the adapter makes one step only");
+      result[question.watch] = answer.watched;
       result["law"] = question.in_space ? engine.law_in_space : engine.law;
       return result;
     }

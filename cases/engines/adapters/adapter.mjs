@@ -50,7 +50,7 @@ function question(line) {
     return { ...c, disc: radius, half: Math.max(radius, 0.01), overlap: 1e-6 * world.size, face: arm(c.on, c.at),
              centre: arm(c.of, c.at.map((p, i) => p + radius * c.normal[i])) };
   });
-  return { ...world, step, iterations, impact: "impact" in line, drifts: line.ask.drift ?? false, bodies, contacts, arm, inSpace: world.gravity.length === 3 };
+  return { ...world, step, iterations, impact: "impact" in line, watch: line.ask.watch, bodies, contacts, arm, inSpace: world.gravity.length === 3 };
 }
 
 /** Accelerations by the names of the unknowns, from the velocities after the step; of an impact these. */
@@ -71,17 +71,43 @@ function forces(q, pairs) {
   return Object.fromEntries(q.contacts.flatMap((c, i) => c.forces.map((name, k) => [name, scale * pairs[i][k]])));
 }
 
-/** How far a body is from where it began, over the size, after 1, 10 and 100 steps, of which the first is made. `again()`
- * makes one more, pushes included, and `place(i)` gives the centre of a body. Nothing unless it is asked. */
-export function drift(q, again, place) {
-  if (!q.drifts) return null;
-  const farthest = {};
-  for (let n = 1; n <= 100; n += 1) {
+/** The product of two turns, w x y z: first `b`, then `a`. */
+export function turnAfter(a, b) {
+  const [v, w] = [a.slice(1), b.slice(1)], across = cross(v, w);
+  return [a[0] * b[0] - dot(v, w), ...across.map((x, i) => x + a[0] * w[i] + b[0] * v[i])];
+}
+
+/** A vector of the scene in axes that `turn`, w x y z, brings there. */
+export function inAxes([w, ...axis], vector) {
+  const once = cross(vector, axis), twice = cross(once, axis);
+  return vector.map((x, i) => x + 2 * (w * once[i] + twice[i]));
+}
+
+/** Kinetic energy and potential energy above the place at the start. */
+function energy(q, body, { at, turn, velocity, spin }) {
+  const turning = inAxes(turn, spin).reduce((sum, w, i) => sum + body.inertia[i] * w * w, 0);
+  return (body.mass * dot(velocity, velocity) + turning) / 2 - body.mass * dot(q.gravity, at.map((p, i) => p - body.at[i]));
+}
+
+/** Over steps of which the first is made. `drift`: how far a body is from where it began after 1, 10 and 100 steps, over
+ * the size. `energy`: by how much it has risen at most above that of an earlier step or the start, up to 1, 10, 100 and
+ * 1,000 steps, over that at the start and what would lift all bodies by the size. `again()` makes one more step, pushes
+ * included, and `pose(i)` gives `at`, `turn` (w x y z, which brings the principal axes into the scene), `velocity` and
+ * `spin` of a body. Nothing unless it is asked. */
+export function watch(q, again, pose) {
+  if (!q.watch) return null;
+  const ofEnergy = q.watch === "energy", watched = {}, bodies = q.bodies.slice(1);
+  const total = (poseOf) => bodies.reduce((sum, body, i) => sum + energy(q, body, poseOf(i + 1)), 0);
+  const before = ofEnergy ? total((i) => q.bodies[i]) : 0;
+  const lift = bodies.reduce((sum, body) => sum + (body.mass ?? 0), 0) * Math.hypot(...q.gravity) * q.size;
+  const moved = () => Math.max(...bodies.map((body, i) => Math.hypot(...pose(i + 1).at.map((p, k) => p - body.at[k])))) / q.size;
+  for (let n = 1, lowest = before, rise = 0; n <= (ofEnergy ? 1000 : 100); n += 1) {
     if (n > 1) again();
-    if (![1, 10, 100].includes(n)) continue;
-    farthest[n] = Math.max(...q.bodies.slice(1).map((body, i) => Math.hypot(...place(i + 1).map((p, k) => p - body.at[k])))) / q.size;
+    const now = ofEnergy ? total(pose) : 0;
+    [rise, lowest] = [Math.max(rise, now - lowest), Math.min(lowest, now)];
+    if ([1, 10, 100, 1000].includes(n)) watched[n] = ofEnergy ? rise / (before + lift) : moved();
   }
-  return farthest;
+  return watched;
 }
 
 function answer({ name, version, law, lawInSpace, ask }, line) {
@@ -89,9 +115,9 @@ function answer({ name, version, law, lawInSpace, ask }, line) {
   const q = question(line);
   try {
     if (q.inSpace && !lawInSpace) throw new Refused("a scene in space");
-    const { velocities, contacts, settings, drift: drifted } = ask(q);
-    if (q.drifts && !drifted) throw new Refused("the adapter makes one step only");
-    if (q.drifts) return { ...head, settings: { ...settings, step: q.step }, drift: drifted, law: q.inSpace ? lawInSpace : law };
+    const { velocities, contacts, settings, watched } = ask(q);
+    if (q.watch && !watched) throw new Refused("the adapter makes one step only");
+    if (q.watch) return { ...head, settings: { ...settings, step: q.step }, [q.watch]: watched, law: q.inSpace ? lawInSpace : law };
     return { ...head, settings: { ...settings, step: q.step }, motion: motion(q, velocities),
              forces: forces(q, contacts), law: q.inSpace ? lawInSpace : law };
   } catch (error) {

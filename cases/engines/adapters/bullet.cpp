@@ -101,10 +101,17 @@ class Scene {
       answer.push(q_.contacts[i],
                   vector_of((point.m_appliedImpulse * vec(q_.contacts[i].normal) + friction) / q_.step));
     }
-    if (q_.drifts && q_.in_space) {
-      watch_drift(
+    if (!q_.watch.empty() && q_.in_space) {
+      watch(
           q_, answer, [&] { step_again(); },
-          [&](std::size_t i) { return vector_of(bodies_[i]->getWorldTransform().getOrigin()); });
+          [&](std::size_t i) {
+            const btRigidBody& body = *bodies_[i];
+            const btQuaternion t = body.getOrientation();
+            return Pose{vector_of(body.getCenterOfMassPosition()),
+                        {t.w(), t.x(), t.y(), t.z()},
+                        vector_of(body.getLinearVelocity()),
+                        vector_of(body.getAngularVelocity())};
+          });
     }
     return answer;
   }

@@ -1,7 +1,7 @@
 // cannon-es: one step, 10 iterations by default. Contacts are handed over as contact equations in place of the engine's
 // own search, friction as the engine makes it from them. Contacts are soft (stiffness 1e7, relaxation 3); with many
 // iterations they are made stiff (1e12) and the tolerance of the iteration 0.
-import { Refused, dot, drift, engine, run } from "./adapter.mjs";
+import { Refused, dot, engine, run, watch } from "./adapter.mjs";
 
 const { module: cannon, version } = await engine("cannon-es");
 const vec = ([x, y, z = 0]) => new cannon.Vec3(x, y, z);
@@ -108,7 +108,9 @@ function ask(q) {
     });
     world.step(q.step);
   };
-  return { velocities, contacts, drift: drift(q, again, (i) => list(bodies[i].position)), settings: { iterations: world.solver.iterations, tolerance: world.solver.tolerance } };
+  const pose = (i) => ({ at: list(bodies[i].position), turn: [bodies[i].quaternion.w, ...list(bodies[i].quaternion)],
+                         velocity: list(bodies[i].velocity), spin: list(bodies[i].angularVelocity) });
+  return { velocities, contacts, watched: watch(q, again, pose), settings: { iterations: world.solver.iterations, tolerance: world.solver.tolerance } };
 }
 
 await run({ name: "cannon-es", version, ask,

@@ -15,6 +15,10 @@ Vector3d vec(const Vector& v) {
   return {v[0], v[1], v[2]};
 }
 
+Vector three(const Vector3d& v) {
+  return {v[0], v[1], v[2]};
+}
+
 /// Lets the two shapes of the same contact meet: those of the same name.
 class OwnContacts : public dart::collision::CollisionFilter {
  public:
@@ -71,12 +75,16 @@ class Scene {
       const double sign = name[0] == 'o' ? 1 : -1;  // the force is on the first
       answer.push(contact, {sign * found.force[0], sign * found.force[1], sign * found.force[2]});
     }
-    if (q_.drifts) {
-      watch_drift(
+    if (!q_.watch.empty()) {
+      watch(
           q_, answer, [&] { push_and_step(); },
           [&](std::size_t i) {
-            const Vector3d at = bodies_[i]->getCOM();
-            return Vector{at[0], at[1], at[2]};
+            const dart::dynamics::BodyNode& body = *bodies_[i];
+            const Eigen::Quaterniond t(body.getTransform().linear());
+            return Pose{three(body.getCOM()),
+                        {t.w(), t.x(), t.y(), t.z()},
+                        three(body.getCOMLinearVelocity()),
+                        three(body.getAngularVelocity())};
           });
     }
     return answer;

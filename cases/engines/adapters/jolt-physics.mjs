@@ -2,7 +2,7 @@
 // locked to it: joints that hold an angle would have no inertia to act on. Contacts are found by the engine, between a
 // sphere on one body and a box on the other that meet in the contact's point; pairs that belong to no contact are refused
 // by a listener. With the argument `shapes` they are those of the whole shapes of a body on the floor. Jolt tells no forces.
-import { Refused, cross, drift, engine, run, turnBetween } from "./adapter.mjs";
+import { Refused, cross, engine, run, turnAfter, turnBetween, watch } from "./adapter.mjs";
 
 const { module, version } = await engine("jolt-physics");
 const Jolt = await module();
@@ -170,9 +170,12 @@ function ask(q) {
     });
     world.Step(q.step, 1);
   };
-  const drifted = drift(q, again, (i) => list(bodies[i].GetCenterOfMassPosition()));
+  const turnOf = (rotation) => [rotation.GetW(), rotation.GetX(), rotation.GetY(), rotation.GetZ()];
+  const watched = watch(q, again, (i) => ({ at: list(bodies[i].GetCenterOfMassPosition()),
+                                            turn: turnAfter(turnOf(bodies[i].GetRotation()), q.bodies[i].turn),
+                                            velocity: list(bodies[i].GetLinearVelocity()), spin: list(bodies[i].GetAngularVelocity()) }));
   Jolt.destroy(world);
-  return { velocities, contacts: null, drift: drifted, settings: { mNumVelocitySteps: steps } };
+  return { velocities, contacts: null, watched, settings: { mNumVelocitySteps: steps } };
 }
 
 const name = process.argv[2] === "shapes" ? "jolt-shapes" : "jolt-physics";

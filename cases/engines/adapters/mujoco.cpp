@@ -206,16 +206,23 @@ Answer ask(const Question& q) {
     answer.velocity.push_back(v);
   }
   tell(q, m, d, answer);
-  if (q.drifts && q.in_space) {
+  if (!q.watch.empty() && q.in_space) {
     model->opt.timestep = q.step;
     const auto step = [&] {
       mj_step(&m, &d);
       mj_kinematics(&m, &d);  // where bodies are after it, not before
     };
     step();
-    watch_drift(q, answer, step, [&](std::size_t i) {
-      const mjtNum* at = d.xpos + 3 * mj_name2id(&m, mjOBJ_BODY, std::to_string(i).c_str());
-      return Vector{at[0], at[1], at[2]};
+    watch(q, answer, step, [&](std::size_t i) {
+      const int body = mj_name2id(&m, mjOBJ_BODY, std::to_string(i).c_str());
+      const mjtNum *at = d.xpos + 3 * body, *t = d.xquat + 4 * body;
+      Pose pose{{at[0], at[1], at[2]}, {t[0], t[1], t[2], t[3]}};
+      if (!moves(i)) return pose;
+      Body now = q.bodies[i];
+      now.turn = pose.turn;
+      const mjtNum* v = d.qvel + freedoms(i)[0];
+      pose.velocity = {v[0], v[1], v[2]}, pose.spin = in_body(now, {v[3], v[4], v[5]}, true);
+      return pose;
     });
   }
   return answer;

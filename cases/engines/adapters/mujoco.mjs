@@ -1,7 +1,7 @@
 // MuJoCo 3 in space, as WebAssembly: the accelerations of mj_forward, as mujoco.cpp asks an older one. By default its own:
 // pyramidal cones, impedance 0.9 at gap 0. With many iterations elliptic cones, impedance 0.9999, tolerance 0. With the
 // argument `shapes` contacts are those of the whole shapes of a body on the floor.
-import { Refused, drift, engine, run } from "./adapter.mjs";
+import { Refused, engine, inAxes, run, turnAfter, watch } from "./adapter.mjs";
 
 const { module: load, version } = await engine("mujoco-js");
 const mujoco = await load();
@@ -65,12 +65,18 @@ function ask(q) {
     mujoco.mj_step(model, data);
     mujoco.mj_kinematics(model, data); // where bodies are after it, not before
   };
-  if (q.drifts) again();
-  const drifted = drift(q, again, (i) => Array.from(data.xpos).slice(3 * i, 3 * i + 3));
+  if (q.watch) again();
+  const cut = (array, width, from) => Array.from(array.subarray(from, from + width));
+  // The spins of a free body are in its own axes.
+  const watched = watch(q, again, (i) => {
+    const turned = cut(data.xquat, 4, 4 * i), [w, ...axis] = turned;
+    return { at: cut(data.xpos, 3, 3 * i), turn: turnAfter(turned, q.bodies[i].turn), velocity: cut(data.qvel, 3, first[i]),
+             spin: inAxes([w, ...axis.map((x) => -x)], cut(data.qvel, 3, first[i] + 3)) };
+  });
   const settings = { cone: q.iterations ? "elliptic" : "pyramidal", iterations: model.opt.iterations, impedance: q.iterations ? 0.9999 : 0.9 };
   data.delete();
   model.delete();
-  return { velocities, contacts: null, drift: drifted, settings };
+  return { velocities, contacts: null, watched, settings };
 }
 
 const name = process.argv[2] === "shapes" ? "mujoco3-shapes" : "mujoco3";

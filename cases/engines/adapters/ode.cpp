@@ -63,12 +63,14 @@ class Scene {
       const Vector f{feedback_[i].f1[0], feedback_[i].f1[1], feedback_[i].f1[2]};
       answer.push(q_.contacts[i], f);
     }
-    if (q_.drifts && q_.in_space) {
-      watch_drift(
+    if (!q_.watch.empty() && q_.in_space) {
+      watch(
           q_, answer, [&] { push_all(), make(); },
           [&](std::size_t i) {
-            const dReal* at = dBodyGetPosition(bodies_[i]);
-            return Vector{at[0], at[1], at[2]};
+            const dBodyID b = bodies_[i];
+            const dReal *at = dBodyGetPosition(b), *t = dBodyGetQuaternion(b), *v = dBodyGetLinearVel(b),
+                        *w = dBodyGetAngularVel(b);
+            return Pose{{at[0], at[1], at[2]}, {t[0], t[1], t[2], t[3]}, {v[0], v[1], v[2]}, {w[0], w[1], w[2]}};
           });
     }
     return answer;

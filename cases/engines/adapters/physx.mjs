@@ -3,7 +3,7 @@
 // let only the two of a contact meet. With the argument `shapes` they are those of the whole shapes of a body on the floor.
 // The package is made for browsers: it is loaded as if this were one. PhysX tells no forces here.
 import { readFileSync } from "node:fs";
-import { Refused, drift, engine, run, turnBetween } from "./adapter.mjs";
+import { Refused, engine, run, turnAfter, turnBetween, watch } from "./adapter.mjs";
 
 const { module: load, version } = await engine("physx-js-webidl");
 const wasmBinary = readFileSync("node_modules/physx-js-webidl/physx-js-webidl.wasm"), node = globalThis.process;
@@ -107,10 +107,14 @@ function ask(q) {
     bodies.forEach((made, i) => q.bodies[i].prescribed || push(made, q.bodies[i]));
     step();
   };
-  const drifted = drift(q, again, (i) => list(bodies[i].getGlobalPose().p));
+  const watched = watch(q, again, (i) => {
+    const { p, q: turned } = bodies[i].getGlobalPose();
+    return { at: list(p), turn: turnAfter([turned.w, ...list(turned)], q.bodies[i].turn),
+             velocity: list(bodies[i].getLinearVelocity()), spin: list(bodies[i].getAngularVelocity()) };
+  });
   world.scene.release();
   world.physics.release();
-  return { velocities, contacts: null, drift: drifted, settings: { positionIterations: q.iterations ?? 4, velocityIterations: q.iterations ?? 1 } };
+  return { velocities, contacts: null, watched, settings: { positionIterations: q.iterations ?? 4, velocityIterations: q.iterations ?? 1 } };
 }
 
 const name = process.argv[2] === "shapes" ? "physx-shapes" : "physx";

@@ -1,7 +1,7 @@
 // Rapier in binary32, in the plane or, with the argument 3d, in space. There nothing pushes bodies of the plane out of it,
 // and they are not locked to it: friction out of the plane would have no mass to act on. Contacts are found by the engine, between a ball on one body and a box on the other that meet in the contact's point and nothing
 // else; with the argument `shapes` they are those of the whole shapes of a body on the floor. The default is 4 solver iterations, which are substeps.
-import { Refused, dot, drift, engine, run, turnBetween } from "./adapter.mjs";
+import { Refused, dot, engine, run, turnAfter, turnBetween, watch } from "./adapter.mjs";
 
 const whole = process.argv[2] === "shapes", space = whole || process.argv[2] === "3d";
 const { module: rapier, version } = await engine(`@dimforge/rapier${space ? 3 : 2}d-compat`);
@@ -106,9 +106,11 @@ function ask(q) {
   const settings = { numSolverIterations, numInternalPgsIterations };
   const contacts = space ? null : told(world, q, colliders);
   // Forces stay until they are reset.
-  const drifted = space ? drift(q, make, (i) => list(bodies[i].translation())) : null;
+  const pose = (i) => ({ at: list(bodies[i].translation()), velocity: list(bodies[i].linvel()), spin: list(bodies[i].angvel()),
+                         turn: turnAfter([bodies[i].rotation().w, ...list(bodies[i].rotation())], q.bodies[i].turn) });
+  const watched = space ? watch(q, make, pose) : null;
   world.free();
-  return { velocities, contacts, drift: drifted, settings };
+  return { velocities, contacts, watched, settings };
 }
 
 await run({ name: whole ? "rapier3d-shapes" : space ? "rapier3d" : "rapier2d", version, ask,

@@ -18,6 +18,14 @@ SimTK::Vec3 vec(const Vector& v) {
   return {v[0], v[1], v[2]};
 }
 
+Vector three(const SimTK::Vec3& v) {
+  return {v[0], v[1], v[2]};
+}
+SimTK::Rotation turn_of(const Body& body) {
+  const Quaternion& t = body.turn;
+  return SimTK::Rotation(SimTK::Quaternion(t[0], t[1], t[2], t[3]));
+}
+
 /// While it lives, nothing is printed: Debian's Simbody writes what its time stepper does, megabytes, where answers go.
 class Silence {
  public:
@@ -74,11 +82,17 @@ class Scene {
                         w = bodies_[i].getBodyAngularVelocity(stepper.getState());
       answer.velocity.push_back({v[0], v[1], v[2], w[0], w[1], w[2]});
     }
-    if (q_.drifts) {
-      watch_drift(q_, answer, make, [&](std::size_t i) {
-        system_.realize(stepper.getState(), SimTK::Stage::Position);
-        const SimTK::Vec3 at = bodies_[i].getBodyOriginLocation(stepper.getState());
-        return Vector{at[0], at[1], at[2]};
+    if (!q_.watch.empty()) {
+      watch(q_, answer, make, [&](std::size_t i) {
+        const SimTK::State& now = stepper.getState();
+        const SimTK::MobilizedBody& body = bodies_[i];
+        system_.realize(now, SimTK::Stage::Velocity);
+        // Its own axes are those of the scene at the start.
+        const SimTK::Quaternion t = (body.getBodyRotation(now) * turn_of(q_.bodies[i])).convertRotationToQuaternion();
+        return Pose{three(body.getBodyOriginLocation(now)),
+                    {t[0], t[1], t[2], t[3]},
+                    three(body.getBodyOriginVelocity(now)),
+                    three(body.getBodyAngularVelocity(now))};
       });
     }
     return answer;
@@ -95,9 +109,7 @@ class Scene {
                                                                       SimTK::Body::Massless(), SimTK::Transform()));
       return;
     }
-    const Quaternion& t = body.turn;
-    const SimTK::Rotation turn(SimTK::Quaternion(t[0], t[1], t[2], t[3]));
-    const SimTK::Inertia inertia = SimTK::Inertia(vec(body.moments)).reexpress(~turn);
+    const SimTK::Inertia inertia = SimTK::Inertia(vec(body.moments)).reexpress(~turn_of(body));
     const SimTK::Body::Rigid rigid(SimTK::MassProperties(body.mass, SimTK::Vec3(0), inertia));
     SimTK::MobilizedBody::Free made(matter_.Ground(), SimTK::Transform(), rigid, SimTK::Transform());
     SimTK::Force::ConstantForce(forces_, made, SimTK::Vec3(0), vec(body.force));

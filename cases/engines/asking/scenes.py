@@ -27,6 +27,22 @@ class Scene:
             return False
         return all(value.get("double", 0) == 0 for value in self.expected["motions"][0]["accelerations"].values())
 
+    @functools.cached_property
+    def undriven(self):
+        """Whether nothing but gravity, straight down, acts on bodies in space that touch or rest or fly: no push, no motor,
+        no impact. Their energy never grows."""
+        if not self.in_space or not self.expected or "impact" in self.expected:
+            return False
+        scene = self.bodies()
+        pushes = [force["is"] for force in scene["forces"] + scene["torques"]]
+        held = any("mass" not in body for body in scene["bodies"]) or any(j["kind"] == "spring" for j in scene["joints"])
+        return not any(map(any, pushes)) and not any(scene["gravity"][:2]) and not held
+
+    @property
+    def stays(self):
+        """Whether contacts stay where they are: it rests, or has none."""
+        return self.rests or all(contact.get("state") == "open" for contact in self.bodies()["contacts"])
+
     def on_floor(self):
         """Whether it is one body on a level floor, with shapes that engines have."""
         try:

@@ -34,10 +34,11 @@ class AnswerReader {
       answer.threshold = {text("parameter", true), number("changes_at"), number("within"), {}};
       if (line_.contains("floor")) answer.threshold->floor = number("floor");
     }
-    if (line_.contains("drift")) read_drift(answer);
+    read_by_steps("drift", answer.drift);
+    read_by_steps("energy", answer.energy);
     const bool says_why = !answer.refused.empty() || !answer.failed.empty();
-    if (answer.motion.empty() && !answer.threshold && answer.drift.empty() && !says_why) {
-      mistakes_.add(place_, "found no motion, changes_at, drift, refused or failed, expected one of them");
+    if (answer.motion.empty() && !answer.threshold && answer.drift.empty() && answer.energy.empty() && !says_why) {
+      mistakes_.add(place_, "found no motion, changes_at, drift, energy, refused or failed, expected one of them");
     }
     return answer;
   }
@@ -78,12 +79,14 @@ class AnswerReader {
     if (!answer.failed.empty()) answer.motion.clear();
   }
 
-  void read_drift(EngineAnswer& answer) {
-    const Line& drift = line_["drift"];
-    if (!drift.is_object()) return wrong("drift", "an object of numbers");
-    for (const auto& [steps, value] : drift.items()) {
-      if (!value.is_number()) return wrong("drift", "an object of numbers");
-      answer.drift.emplace(steps, value.get<double>());
+  /// Numbers by the number of steps.
+  void read_by_steps(const char* key, std::map<std::string, double>& values) {
+    if (!line_.contains(key)) return;
+    const Line& given = line_[key];
+    if (!given.is_object()) return wrong(key, "an object of numbers");
+    for (const auto& [steps, value] : given.items()) {
+      if (!value.is_number()) return wrong(key, "an object of numbers");
+      values.emplace(steps, value.get<double>());
     }
   }
 

@@ -19,20 +19,22 @@ struct EngineThreshold {
   std::optional<double> floor;  ///< least acceleration that counted as motion, over the scene's natural acceleration
 };
 
-/// An answer of an engine: a motion, a threshold, a drift, or a reason why there is none of them.
+/// An answer of an engine: a motion, a threshold, a drift, a rise of energy, or a reason why there is none of them.
 struct EngineAnswer {
   std::string engine, version;
   std::string scene;     ///< CLASS/NAME
-  std::string asked;     ///< `default`, `many iterations`, `threshold`, `drift`
+  std::string asked;     ///< `default`, `many iterations`, `threshold`, `drift`, `energy`
   std::string law;       ///< the law that the engine solves, in its own words
   std::string settings;  ///< the settings, as written in the line
   std::string date;
   std::vector<std::pair<std::string, double>> motion;  ///< accelerations by the names of the mechanism's unknowns
   std::optional<EngineThreshold> threshold;
-  std::map<std::string, double> drift;  ///< by the number of steps: how far a body moves that rests, over the size
-  std::string refused;                  ///< why the engine cannot have such a scene
-  std::string failed;                   ///< why it gave no answer: a crash, a number that is not finite
-  Place place;                          ///< its line
+  /// By the number of steps: how far a body moves that rests, over the size; and by how much energy rises where nothing
+  /// drives, over that at the start and what lifts all bodies by the size.
+  std::map<std::string, double> drift, energy;
+  std::string refused;  ///< why the engine cannot have such a scene
+  std::string failed;   ///< why it gave no answer: a crash, a number that is not finite
+  Place place;          ///< its line
 };
 
 /// Reads all answers in a file. Throws InputError with all mistakes.

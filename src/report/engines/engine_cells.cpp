@@ -95,6 +95,10 @@ std::string answer_text(const EngineAnswer& answer) {
     text += fmt::format("{}{} of the size in {} step{}", text.empty() ? "moves by " : ", ", error_text(moved), steps,
                         steps == "1" ? "" : "s");
   }
+  for (const auto& [steps, rise] : answer.energy) {
+    text += fmt::format("{}{} in {} step{}", text.empty() ? "energy rises by " : ", ", error_text(rise), steps,
+                        steps == "1" ? "" : "s");
+  }
   for (const auto& [name, value] : answer.motion) {
     text += fmt::format("{}{} = {:.6g}", text.empty() ? "" : ", ", name, value);
   }

@@ -68,33 +68,66 @@ void add_thresholds(const Element& main, const EnginePageInput& input) {
   add_table(section, table);
 }
 
-/// How far bodies move that should rest: the median over the scenes, and the largest.
-void add_drift(const Element& main, const EnginePageInput& input) {
-  std::map<std::string, std::map<int, std::vector<double>>> drifts;
+/// What engines say over many steps: of each the median over the scenes, and the largest.
+struct OverSteps {
+  const char *id, *title, *how, *label;
+  std::map<std::string, double> EngineAnswer::*values;
+  std::vector<std::string> steps;
+};
+
+void add_over_steps(const Element& main, const EnginePageInput& input, const OverSteps& about) {
+  std::map<std::string, std::map<std::string, std::vector<double>>> found;
   for (const EngineScene& scene : input.judged().scenes) {
     for (const JudgedEngineAnswer& one : scene.answers) {
-      for (const auto& [steps, moved] : one.answer.drift) drifts[one.answer.engine][std::stoi(steps)].push_back(moved);
+      for (const auto& [steps, value] : one.answer.*about.values) found[one.answer.engine][steps].push_back(value);
     }
   }
-  if (drifts.empty()) return;
-  const Element section = add_section(main, "drift", "What creeps that should rest");
-  section.add("p", "how")
-      .text(
-          "Scenes in space whose one motion is rest, at default settings: how far a body is after so many steps from "
-          "where it began, over the size of the scene; the median over the scenes, and the largest.");
+  if (found.empty()) return;
+  const Element section = add_section(main, about.id, about.title);
+  section.add("p", "how").text(about.how);
   ReportTable table{{"engine", {"scenes", true}}};
-  table.label = "Drift by engine";
+  table.label = about.label;
   table.css_class = "engines";
-  for (const char* steps : {"1 step", "10 steps", "100 steps"}) table.columns.emplace_back(steps, true);
-  for (auto& [engine, by_steps] : drifts) {
+  for (const std::string& steps : about.steps)
+    table.columns.emplace_back(steps + (steps == "1" ? " step" : " steps"), true);
+  for (auto& [engine, by_steps] : found) {
     std::vector<ReportCell> cells{engine, input.with_design(engine, std::to_string(by_steps.begin()->second.size()))};
-    for (auto& [steps, moved] : by_steps) {
-      std::ranges::sort(moved);
-      cells.emplace_back(error_text(moved[moved.size() / 2]) + "; " + error_text(moved.back()));
+    for (const std::string& steps : about.steps) {
+      std::vector<double>& values = by_steps[steps];
+      std::ranges::sort(values);
+      cells.emplace_back(values.empty() ? "–"
+                                        : error_text(values[values.size() / 2]) + "; " + error_text(values.back()));
     }
     table.row(std::move(cells));
   }
   add_table(section, table);
+}
+
+void add_drift(const Element& main, const EnginePageInput& input) {
+  add_over_steps(
+      main, input,
+      {"drift",
+       "What creeps that should rest",
+       "Scenes in space whose one motion is rest, at default settings: how far a body is after so many steps "
+       "from where it began, over the size of the scene; the median over the scenes, and the largest.",
+       "Drift by engine",
+       &EngineAnswer::drift,
+       {"1", "10", "100"}});
+}
+
+void add_energy(const Element& main, const EnginePageInput& input) {
+  add_over_steps(
+      main, input,
+      {"energy",
+       "Does energy rise where nothing drives?",
+       "Scenes in space without pushes, under gravity straight down: what rests, slides until it rests, rolls, "
+       "spins or flies, at default settings. By the laws of motion, kinetic and potential energy together "
+       "never rise. In the engine they rose at most by this within so many steps, above an earlier step or "
+       "the start, over the energy at the start and what lifts all bodies by the size; the median over the "
+       "scenes, and the largest.",
+       "Rise of energy by engine",
+       &EngineAnswer::energy,
+       {"1", "10", "100", "1000"}});
 }
 
 /// By which law impacts are right, and where energy is gained.
@@ -185,6 +218,7 @@ void add_engines_index(const Element& main, const EnginePageInput& input) {
   engine_index::add_counts(main, input);
   engine_index::add_thresholds(main, input);
   engine_index::add_drift(main, input);
+  engine_index::add_energy(main, input);
   engine_index::add_impacts(main, input);
   engine_index::add_laws(main, input);
   engine_index::add_scenes(main, input);

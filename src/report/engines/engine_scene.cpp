@@ -76,7 +76,7 @@ void add_answers(const Element& main, const EnginePageInput& input, const Engine
   for (const JudgedEngineAnswer& one : scene.answers) {
     const EngineAnswer& answer = one.answer;
     const bool off = one.verdict == EngineVerdict::near || one.verdict == EngineVerdict::wrong;
-    const bool is_judged = !answer.threshold && answer.drift.empty();
+    const bool is_judged = !answer.threshold && answer.drift.empty() && answer.energy.empty();
     const ReportCell verdict = is_judged ? verdict_cell(one, "") : ReportCell("");
     table.row({answer.engine + " " + answer.version, answer.asked,
                off ? input.with_design(answer.engine, verdict) : verdict, answer_text(answer) + impact_text(one),

@@ -18,7 +18,8 @@ constexpr std::string_view threshold_asked = "threshold";  // or `threshold, man
 
 /// Not about the motion of a scene as it is.
 bool is_about_more(const EngineAnswer& answer) {
-  return answer.threshold || answer.asked.starts_with(threshold_asked) || answer.asked == "drift";
+  return answer.threshold || answer.asked.starts_with(threshold_asked) || answer.asked == "drift" ||
+         answer.asked == "energy";
 }
 
 /// How the engine was asked for a threshold: `default`, `many iterations`.

@@ -73,12 +73,12 @@ class Asking(unittest.TestCase):
 
     def test_what_gives_no_answer(self):
         scene = "one-motion/ball-at-rest"
-        told, lines = ask(only=scene, limit=1)
+        told, lines = ask(only=scene, limit=5)
         self.assertEqual(told.returncode, 0)
         self.assertIn("not asked: the library no-such-library is not installed", told.stdout)
         self.assertNotIn("not-there", lines)
         self.assertIn("ended with 1: assertion: no scene at all", lines["crashes"][0]["failed"])
-        self.assertEqual(lines["hangs"][0]["failed"], "no answer in 1 s")
+        self.assertEqual(lines["hangs"][0]["failed"], "no answer in 5 s")
         self.assertIn("motion", lines["sweeps"][0])
         _, lines = ask("sweeps", only="space-cone/ball-pushed-at-31")
         self.assertEqual(lines["sweeps"][0]["refused"], "a scene in space")
@@ -225,6 +225,14 @@ class Scenes(unittest.TestCase):
         self.assertNotIn("space-several/jammed-ball-12-1-0", asked)  # it comes out as well
         self.assertNotIn("space-rolling/ball-rolls-0-0-3-4-0", asked)  # it moves on
         self.assertGreater(len(asked), 40)
+
+    def test_energy_is_asked_where_nothing_drives(self):
+        asked = {name for name, scene in self.scenes.items() if scene.undriven}
+        self.assertLessEqual({"space-energy/box-slides", "space-energy/box-in-flight", "space-stand/three-cubes-0-0-0"}, asked)
+        for driven in ("space-cone/cube-held-at-37", "space-slope/tripod-on-slope", "space-impact/pair-e-1"):
+            self.assertNotIn(driven, asked)
+        self.assertTrue(self.scenes["space-energy/box-in-flight"].stays)
+        self.assertFalse(self.scenes["space-energy/box-slides"].stays)
 
     def test_in_space_what_no_first_step_can_say_is_refused(self):
         scene = self.scenes["space-rolling/tripod-spins-10-1-0"].bodies()

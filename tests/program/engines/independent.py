@@ -21,7 +21,7 @@ from asking.scenes import scenes_of  # noqa: E402
 from asking.world import Refused  # noqa: E402
 from newton import solutions_near  # noqa: E402
 
-MOST_CONTACTS = 5  # 3^5 patterns
+MOST_CONTACTS = 6  # 3^6 patterns
 NEAR = 1e-5  # of accelerations, relative to the largest
 
 
@@ -112,7 +112,8 @@ def look(scene, rng, count):
         count["scenes with joints" if world["joints"] else f"scenes with more than {MOST_CONTACTS} contacts"] += 1
         return []
     problem = Problem(world, [c.get("state") for c in question["contacts"] if c.get("state") != "open"])
-    found = [problem.accelerations(near.r) for near in solutions_near(problem.contacts, rng, 100)]
+    forces = [near.r for near in solutions_near(problem.contacts, rng, 100)] if world["contacts"] else [np.zeros(0)]
+    found = [problem.accelerations(r) for r in forces]
     count["scenes that were tried"] += 1
     count["motions that were found"] += len(found)
     count["scenes of which none was found"] += not found and bool(scene.expected["motions"])

@@ -76,8 +76,9 @@ TEST_CASE("what a line lacks is told with its place") {
   CHECK(mistake_of("[1]") == "found no JSON object, expected an answer of an engine");
   const std::string head = R"({"schema":"slipproof/engine-answer/1","engine":"e","asked":"default","scene":)";
   CHECK(mistake_of(head + R"("one-motion/pulled"})")
-            .starts_with("found no motion, changes_at, drift, refused or failed"));
+            .starts_with("found no motion, changes_at, drift, energy, refused or failed"));
   CHECK(mistake_of(head + R"("one-motion/pulled","drift":{"1":null}})").starts_with("drift: found"));
+  CHECK(mistake_of(head + R"("one-motion/pulled","energy":1})").starts_with("energy: found"));
   CHECK(mistake_of(head + R"("one-motion/pushed","refused":"no"})").starts_with("found the scene"));
   CHECK(mistake_of(head + R"("one-motion/pulled","motion":{"ax":1}})").find("ay") != std::string::npos);
   CHECK(mistake_of(head + R"("one-motion/pulled","motion":{"az":1}})").find("az") != std::string::npos);

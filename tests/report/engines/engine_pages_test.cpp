@@ -71,14 +71,17 @@ TEST_CASE("how far bodies creep that should rest stands in a table, and is no an
   const test::EngineFiles files;
   files.line(std::string(answers) +
              R"(
-{"schema":"slipproof/engine-answer/1","engine":"c","version":"1","asked":"drift","scene":"one-motion/pulled","drift":{"1":1e-9,"10":2e-8,"100":0.003}})");
+{"schema":"slipproof/engine-answer/1","engine":"c","version":"1","asked":"drift","scene":"one-motion/pulled","drift":{"1":1e-9,"10":2e-8,"100":0.003}}
+{"schema":"slipproof/engine-answer/1","engine":"c","version":"1","asked":"energy","scene":"one-motion/pulled","energy":{"1":0,"10":0,"100":1e-9,"1000":0.25}})");
   const EngineResults results = engine_results(judge_engines(files.folder()));
   const auto pages = pages_of(results);
   pugi::xml_document index;
   REQUIRE(index.load_string(pages.at("index.html").c_str(), pugi::parse_default | pugi::parse_doctype));
   CHECK(index.select_node("//*[@id='drift']//tr[th='c']/td[.='3.0e-03; 3.0e-03']"));
+  CHECK(index.select_node("//*[@id='energy']//tr[th='c']/td[last()][.='2.5e-01; 2.5e-01']"));
   CHECK(pages.at("one-motion/pulled.html")
             .find("moves by 1.0e-09 of the size in 1 step, 2.0e-08 of the size in 10 steps") != std::string::npos);
+  CHECK(pages.at("one-motion/pulled.html").find("1.0e-09 in 100 steps, 2.5e-01 in 1000 steps") != std::string::npos);
   CHECK(Json::parse(engine_table_json(results))["engines"].size() == 2);
 }
 
