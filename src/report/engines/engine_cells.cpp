@@ -4,17 +4,13 @@
 
 #include <array>
 #include <numeric>
-#include <vector>
 
 #include "report/html/sections.hpp"
-#include "report/html/verdict_bar.hpp"
 
 namespace slipproof {
 
 namespace {
 
-constexpr std::array<const char*, engine_verdict_count> fills{"fill-proved",    "fill-holds",   "fill-refuted",
-                                                              "fill-undecided", "fill-vacuous", "fill-inaccurate"};
 constexpr std::array<std::string_view, engine_verdict_count> chips{"proved",    "holds",   "refuted",
                                                                    "undecided", "vacuous", "undecided"};
 constexpr std::array<std::string_view, engine_verdict_count> signs{"✓ ", "≈ ", "✗ ", "? ", "– ", "! "};
@@ -41,14 +37,6 @@ ReportCell by_design(ReportCell cell) {
   cell += drawn("(its design, not a mistake)",
                 [](const Element& parent) { parent.add("small", "design").text("its design, not a mistake"); });
   return cell;
-}
-
-ReportCell bar_cell(const EngineCounts& counts) {
-  return drawn("", [counts](const Element& cell) {
-    std::vector<BarPart> parts;
-    for (std::size_t i = 0; i < counts.size(); ++i) parts.push_back({fills[i], counts[i]});
-    add_bar(cell, parts, 160, 12);
-  });
 }
 
 void add_verdict(const Element& parent, EngineVerdict verdict, std::string_view words) {

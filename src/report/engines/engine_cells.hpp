@@ -19,9 +19,6 @@ std::string share_text(const EngineCounts& counts);
 /// The cell, with the words that the numbers of an engine with such a design need.
 ReportCell by_design(ReportCell cell);
 
-/// A bar with a part for each verdict.
-ReportCell bar_cell(const EngineCounts& counts);
-
 /// Words in the colour of a verdict and with its sign.
 void add_verdict(const Element& parent, EngineVerdict verdict, std::string_view words);
 

@@ -18,22 +18,19 @@ void add_counts(const Element& main, const EnginePageInput& input) {
       .text(
           "Of the scenes that the engine can have. A class opens its scenes, and a scene its picture, its exact "
           "motions and what each engine says.");
-  ReportTable table{{"engine", "asked"}};
+  ReportTable table{{"engine", "asked", {"all", true}}};
   table.label = "Right answers by engine and class";
   table.css_class = "solvers engines";
   for (const std::string& name : input.classes) {
     table.columns.emplace_back(ReportLine(link_to(class_title(name), name + ".html")), true);
   }
-  table.columns.emplace_back("all", true);
-  table.columns.emplace_back("share");
   for (const EngineRow& row : input.rows) {
-    std::vector<ReportCell> cells{row.engine + " " + row.version, row.asked};
+    std::vector<ReportCell> cells{row.engine + " " + row.version, row.asked,
+                                  input.with_design(row.engine, share_text(row.all))};
     for (const std::string& name : input.classes) {
       const auto found = row.classes.find(name);
       cells.emplace_back(found == row.classes.end() ? "–" : share_text(found->second));
     }
-    cells.push_back(input.with_design(row.engine, share_text(row.all)));
-    cells.push_back(bar_cell(row.all));
     table.row(std::move(cells));
   }
   add_table(section, table);
