@@ -11,6 +11,7 @@ lines, and one mutant in 200: the soak tests of papers judge all, and `report pr
 import difflib
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -76,9 +77,8 @@ def lay_out(page, folder):
     os.symlink(BUILD, os.path.join(folder, "build"))
     for name in ("cases", "proofs", "src"):
         os.symlink(os.path.join(SOURCES, name), os.path.join(folder, name))
-    os.mkdir(os.path.join(folder, "few"))
-    for paper in ("kerb", "ladder"):
-        os.symlink(os.path.join(SOURCES, "proofs", paper), os.path.join(folder, "few", paper))
+    for paper in ("kerb", "ladder"):  # copies: a checker does not follow links to folders
+        shutil.copytree(os.path.join(SOURCES, "proofs", paper), os.path.join(folder, "few", paper))
     for entry in os.scandir(os.path.dirname(page)):  # files beside the page
         if entry.is_file():
             os.symlink(entry.path, os.path.join(folder, entry.name))
