@@ -6,7 +6,7 @@ that is not there. A line `...` stands for any lines; a command without lines on
 that was not built is skipped from that command on. With --sentences, commands of slipproof and its checkers in sentences,
 tables and indented lines run without a mistake; not those of one word, those about files that are not there, those without
 `build/` and a file, and `prove`, which writes into `proofs`. In place of all papers they take a few, at 100 samples without
-lines, and one mutant in 200: the soak tests of papers judge all, and `report proofs` would take an hour.
+lines, and one mutant in 200: the soak tests of papers judge all, and `report proofs` takes minutes.
 """
 import difflib
 import os
