@@ -20,7 +20,7 @@ for file in site/index.html site/stand.html site/papers/index.html site/pages/in
   packages/libslipproof-dev_*.deb wheel/slipproof-*.whl source/slipproof-*.tar.gz READ_ME.txt; do
   [[ -e $file ]] || fail "there is no $file"
 done
-dpkg-deb --contents packages/slipproof_*.deb | grep -q 'share/slipproof/build-explorer/explorer.html' || fail "the package has no explorer"
+dpkg-deb --contents packages/slipproof_*.deb | grep 'share/slipproof/build-explorer/explorer.html' >/dev/null || fail "the package has no explorer"
 
 version=$(sed -n 's/^project(slipproof VERSION \([0-9.]*\).*/\1/p' "$project/CMakeLists.txt")
 for file in wheel/slipproof-"$version"-*.whl "source/slipproof-$version.tar.gz" packages/slipproof_"$version"*.deb; do
