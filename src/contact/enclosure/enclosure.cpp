@@ -34,6 +34,8 @@ std::vector<std::size_t> contacts_of(const MixedProblem& problem, const ModeSyst
 }
 
 class EnclosureSearch {
+  static constexpr std::size_t factored_from = 40;
+
  public:
   EnclosureSearch(const MixedProblem& problem, const EnclosureOptions& options)
       : problem_(problem), options_(options), scales_(contact_scales(problem)) {}
@@ -99,20 +101,26 @@ class EnclosureSearch {
   /// The blocks with their inverses; dependent ones made regular by pinning and dropping.
   std::optional<NoEnclosure> prepare() {
     if (!combinations_.empty()) {  // what is dependent has been found in this mode
-      for (SystemBlock& block : blocks_) invert(block);
+      for (SystemBlock& block : blocks_) {
+        const bool inverted = factor(block) || invert_densely(block) || block.inverse.size == block.unknowns.size();
+        if (!inverted) return too_large(block);
+      }
       return std::nullopt;
     }
     blocks_ = blocks_of(*system_, z_, pinned_, dropped_);
-    std::vector<const SystemBlock*> dependent;
+    std::vector<SystemBlock*> dependent;
     for (SystemBlock& block : blocks_) {
       stop_if_asked();
       if (block.unknowns.size() == block.equations.size()) {
-        if (invert(block)) continue;
+        if (factor(block)) continue;
         if (block.unknowns.size() > options_.largest_block) return too_large(block);
       }
       dependent.push_back(&block);
     }
-    return dependent.empty() ? std::nullopt : make_regular(dependent);
+    if (dependent.empty()) return std::nullopt;
+    if (++dependent_modes_ > options_.dependent_modes)
+      return NoEnclosure{"too many modes have dependent equations", {}};
+    return make_regular(dependent);
   }
 
   NoEnclosure too_large(const SystemBlock& block) const {
@@ -121,13 +129,22 @@ class EnclosureSearch {
             {}};
   }
 
-  /// Finds the inverse of the derivative at the point; false where it has none, or is too large for a dense one.
-  bool invert(SystemBlock& block) const {
+  /// Finds the inverse of the derivative at the point, by factors from this number of unknowns; false where it has
+  /// none, or is too large for a dense one.
+  bool invert(SystemBlock& block, std::size_t sparse_from) const {
     block.sparse.reset();
-    if (is_large_and_sparse(*system_, block, z_, options_.sparse_from)) {
-      block.sparse = sparse_inverse(*system_, block, z_);
-    }
+    if (is_large_and_sparse(*system_, block, z_, sparse_from)) block.sparse = sparse_inverse(*system_, block, z_);
     return block.sparse || invert_densely(block);
+  }
+
+  /// The same for Newton's method, which tries many modes, and needs no inverse where there are factors: false where
+  /// these say that the equations are dependent.
+  bool factor(SystemBlock& block) const {
+    block.sparse.reset();
+    const std::size_t from = std::min(factored_from, options_.sparse_from);
+    if (!is_large_and_sparse(*system_, block, z_, from)) return invert_densely(block);
+    block.sparse = sparse_inverse(*system_, block, z_);
+    return block.sparse != nullptr;
   }
 
   bool invert_densely(SystemBlock& block) const {
@@ -148,9 +165,11 @@ class EnclosureSearch {
     return std::all_of(diagonal.begin(), diagonal.end(), [](double x) { return x < 0.05 / unit_roundoff; });
   }
 
-  std::optional<NoEnclosure> make_regular(const std::vector<const SystemBlock*>& dependent) {
-    for (const SystemBlock* block : dependent) {
+  std::optional<NoEnclosure> make_regular(const std::vector<SystemBlock*>& dependent) {
+    for (SystemBlock* block : dependent) {
       DependenceResult found = exact_dependence(problem_, *system_, z_, block->equations, block->unknowns);
+      if (!found.reason.empty() && block->unknowns.size() == block->equations.size() && invert_densely(*block))
+        continue;
       if (!found.reason.empty()) return NoEnclosure{found.reason, contacts_of(problem_, *system_, found.unknowns)};
       for (const std::size_t j : found.unknowns) pinned_[j] = true;
       for (DroppedEquation& d : found.dropped) {
@@ -160,7 +179,7 @@ class EnclosureSearch {
     }
     blocks_ = blocks_of(*system_, z_, pinned_, dropped_);
     for (SystemBlock& block : blocks_) {
-      if (block.unknowns.size() == block.equations.size() && invert(block)) continue;
+      if (block.unknowns.size() == block.equations.size() && (factor(block) || invert_densely(block))) continue;
       return NoEnclosure{"the forces of these contacts depend on each other, not exactly, but up to rounding",
                          contacts_of(problem_, *system_, block.unknowns)};
     }
@@ -196,6 +215,11 @@ class EnclosureSearch {
     return last <= 1e-6 * size;
   }
 
+  /// Whether it has what the test of a block of its size takes.
+  bool has_inverse(const SystemBlock& block) const {
+    return !block.sparse || block.unknowns.size() >= options_.sparse_from;
+  }
+
   std::optional<KrawczykBox> test(const SystemBlock& block) const {
     return block.sparse ? enclose_in_ball(*system_, block, z_) : krawczyk(*system_, block, z_);
   }
@@ -206,8 +230,8 @@ class EnclosureSearch {
       if (pinned_[j]) result.pinned.push_back(j);
     }
     for (SystemBlock& block : blocks_) {
-      std::optional<KrawczykBox> box = test(block);
-      if (!box && invert(block)) box = test(block);  // the point has moved: its own inverse
+      std::optional<KrawczykBox> box = has_inverse(block) ? test(block) : std::nullopt;
+      if (!box && invert(block, options_.sparse_from)) box = test(block);  // the point has moved: its own inverse
       if (!box && block.sparse && invert_densely(block)) box = test(block);
       if (!box) {
         return NoEnclosure{"the equations of these contacts are too close to dependent for binary64",
@@ -232,6 +256,7 @@ class EnclosureSearch {
   std::vector<bool> pinned_, dropped_;
   std::vector<DroppedEquation> combinations_;
   std::vector<SystemBlock> blocks_;
+  int dependent_modes_ = 0;
 };
 
 }  // namespace

@@ -54,6 +54,7 @@ struct NoEnclosure {
 struct EnclosureOptions {
   std::size_t largest_block = 6000;  ///< unknowns; a block takes 24 bytes and about 4 n operations for each pair
   int modes = 40;                    ///< number of modes to try
+  int dependent_modes = 40;          ///< of these, with equations that depend on each other, which costs most
   /// Blocks with at least this number of unknowns and a sparse derivative are enclosed without an inverse; 0: all
   /// blocks are.
   std::size_t sparse_from = 400;

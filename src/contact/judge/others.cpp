@@ -46,9 +46,10 @@ class KnownSolution {
 
 EnclosureOptions with_little_work(EnclosureOptions options) {
   constexpr std::size_t large = 1500;
-  constexpr int few = 10;
+  constexpr int few = 10, few_dependent = 2;
   options.largest_block = std::min(options.largest_block, large);
   options.modes = std::min(options.modes, few);
+  options.dependent_modes = std::min(options.dependent_modes, few_dependent);
   return options;
 }
 
