@@ -254,8 +254,9 @@ class ContactCase {
     extra("another solution in a linear mode", [&] { look_in_linear_modes(problem_, options_.effort / part, j_); });
     if (!j_.other_exact.empty() || !j_.enclosure || !j_.enclosure->pinned.empty()) return;
     if (j_.enclosure->proof || j_.enclosure->system.size() > options_.others_up_to) return;
+    if (j_.error > options_.tolerance && !options_.refine) return;  // no verdict on it depends on another one
     extra("another solution",
-          [&] { j_.other = another_solution(problem_, *j_.enclosure, {.effort = 10 * beyond_verdict()}); });
+          [&] { j_.other = another_solution(problem_, *j_.enclosure, {.effort = 5 * beyond_verdict()}); });
   }
 
   const MixedProblem& problem_;

@@ -38,11 +38,16 @@ bool have_same_velocities(const MixedProblem& problem, std::span<const double> x
   return true;
 }
 
-/// By an enclosure in binary64, or along a path.
-std::optional<PathEnd> solve_part(const MixedProblem& part, std::span<const double> x, Effort& effort,
-                                  const OtherAnswers& elsewhere) {
+/// By an enclosure in binary64.
+std::optional<PathEnd> enclose_part(const MixedProblem& part, std::span<const double> x) {
   const auto found = enclose_solution(part, x);
-  if (const auto* box = std::get_if<Enclosure>(&found)) return end_at(part, *box);
+  const auto* box = std::get_if<Enclosure>(&found);
+  return box != nullptr ? std::optional(end_at(part, *box)) : std::nullopt;
+}
+
+/// Along a path.
+std::optional<PathEnd> follow_part(const MixedProblem& part, std::span<const double> x, Effort& effort,
+                                   const OtherAnswers& elsewhere) {
   if (part.size() > largest_on_path) return std::nullopt;
   auto end = follow_path(part, x, effort);
   if (!elsewhere) return end;
@@ -62,12 +67,14 @@ std::optional<Enclosure> solve_along_path(const MixedProblem& problem, std::span
                                           const OtherAnswers& elsewhere) {
   PathEnd whole{ConeMode(problem.contacts()), std::vector<Rational>(problem.size()),
                 std::vector<Rational>(problem.contacts())};
-  for (const ContactPart& part : parts_of(problem)) {
+  const std::vector<ContactPart> parts = parts_of(problem);
+  for (const ContactPart& part : parts) {
     const std::vector<std::size_t> rows = rows_of(problem, part);
     const MixedProblem small = part_of(problem, part, rows);
     std::vector<double> start;
     for (const std::size_t i : rows) start.push_back(x[i]);
-    auto end = solve_part(small, start, effort, elsewhere);
+    auto end = parts.size() > 1 ? enclose_part(small, start) : std::nullopt;
+    if (!end) end = follow_part(small, start, effort, elsewhere);
     if (!end) return std::nullopt;
     for (std::size_t i = 0; i < rows.size(); ++i) whole.x[rows[i]] = std::move(end->x[i]);
     for (std::size_t k = 0; k < part.contacts.size(); ++k) {

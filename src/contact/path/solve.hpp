@@ -17,8 +17,9 @@ using OtherAnswers = std::function<std::vector<double>(const MixedProblem& probl
 /// Finds a solution under Coulomb's law by following a path from `x` (contact/MATHEMATICS.md), and encloses it in long
 /// numbers. Solves parts of the problem that share no row separately, in binary64 if that suffices. The forces may be
 /// far from those of `x` if rounding determines them; the velocities are near. Nothing if none was found, which proves
-/// nothing. `x` is finite. Throws TooMuchWork; parts have up to `largest_on_path` rows. Where no path leads from x to a
-/// solution of a part, others are tried, from answers of `elsewhere` that have the same velocities.
+/// nothing. At `x`, which is finite, enclose_solution() has found none. Throws TooMuchWork; parts have up to
+/// `largest_on_path` rows. Where no path leads from x to a solution of a part, others are tried, from answers of
+/// `elsewhere` that have the same velocities.
 std::optional<Enclosure> solve_along_path(const MixedProblem& problem, std::span<const double> x, Effort& effort,
                                           const OtherAnswers& elsewhere = {});
 inline constexpr std::size_t largest_on_path = 800;
