@@ -12,6 +12,7 @@ or a spoiled one certified. Needs python3-siconos, python3-numpy and python3-sci
 
 import itertools
 import json
+import os
 import resource
 import subprocess
 import sys
@@ -19,6 +20,8 @@ import tempfile
 import time
 import warnings
 from pathlib import Path
+
+os.environ["OPENBLAS_NUM_THREADS"] = "1"  # else its other threads, which nobody uses, turn for 50 ms when they start
 
 try:
     import numpy as np
