@@ -158,17 +158,22 @@ def carry_search(site, project):
 """)
 
 
-def lead_to_front(out):
+def mend(out):
     """The name or logo of each page leads to the site's front page; MkDocs leads no link out of its folder, and a report knows
-    of none."""
+    of none. A screen reader gets names of the theme's search and menu, and no heading of a column that has none."""
     name_leads = re.compile(r'(<a class="brand" href=")[^"]*|(<a href=")[^"]*(?="[^>]*md-logo)')
+    no_heading = re.compile(r"<th( [^>]*)?></th>")
     for folder, _, names in (found for part in ("pages", "papers", "engines") for found in os.walk(os.path.join(out, part))):
         front = os.path.relpath(os.path.join(out, "index.html"), folder)
         for path in (os.path.join(folder, name) for name in names if name.endswith(".html")):
             with open(path, encoding="utf-8") as file:
                 text = file.read()
+            text = name_leads.sub(lambda link: (link[1] or link[2]) + front, text)
+            text = no_heading.sub(r"<td\1></td>", text)
+            for part, name in [('role="dialog"', "Search"), ('id="__drawer"', "Menu")]:
+                text = text.replace(part, f'{part} aria-label="{name}"')
             with open(path, "w", encoding="utf-8") as file:
-                file.write(name_leads.sub(lambda link: (link[1] or link[2]) + front, text))
+                file.write(text)
 
 
 def main(sources, built, out):
@@ -190,7 +195,7 @@ def main(sources, built, out):
     build(load_config(os.path.join(HERE, "mkdocs.yml"), docs_dir=folder, site_dir=site, strict=True,
                       nav=navigation(project, sections)))
     carry_search(site, project)
-    lead_to_front(out)
+    mend(out)
     shutil.rmtree(folder)
 
 
