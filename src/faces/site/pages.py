@@ -160,8 +160,10 @@ def carry_search(site, project):
 
 def mend(out):
     """The name or logo of each page leads to the site's front page; MkDocs leads no link out of its folder, and a report knows
-    of none. A screen reader gets names of the theme's search and menu, and no heading of a column that has none."""
+    of none. For who uses keys or a screen reader, the theme's search gets a name and its menu a button; a column without a
+    heading gets no empty one."""
     name_leads = re.compile(r'(<a class="brand" href=")[^"]*|(<a href=")[^"]*(?="[^>]*md-logo)')
+    menu = re.compile(r'<label class="(md-header__button md-icon)" for="__drawer">(.*?)</label>', re.DOTALL)
     no_heading = re.compile(r"<th( [^>]*)?></th>")
     for folder, _, names in (found for part in ("pages", "papers", "engines") for found in os.walk(os.path.join(out, part))):
         front = os.path.relpath(os.path.join(out, "index.html"), folder)
@@ -170,8 +172,8 @@ def mend(out):
                 text = file.read()
             text = name_leads.sub(lambda link: (link[1] or link[2]) + front, text)
             text = no_heading.sub(r"<td\1></td>", text)
-            for part, name in [('role="dialog"', "Search"), ('id="__drawer"', "Menu")]:
-                text = text.replace(part, f'{part} aria-label="{name}"')
+            text = text.replace('role="dialog"', 'role="dialog" aria-label="Search"')
+            text = menu.sub(r'<button class="\1 menu" aria-label="Menu">\2</button>', text)
             with open(path, "w", encoding="utf-8") as file:
                 file.write(text)
 

@@ -180,6 +180,35 @@ test('the front page is used by the keyboard alone', async () => {
   assert.notEqual(await drawing(), still);
 });
 
+test('on a narrow window, keys open the menu of the documentation and its sections, and stop at nothing that is closed', async () => {
+  const page = await open('pages/cases/CERTIFYING.html', { width: 400, reducedMotion: 'reduce' });
+  const until = async selector => {
+    for (let i = 0; i < 30; ++i) {
+      await page.keyboard.press('Tab');
+      assert.ok(await page.evaluate(() => document.activeElement.closest('.md-search__output') === null));
+      if (await page.evaluate(text => document.activeElement.matches(text), selector)) return;
+    }
+    assert.fail(`${selector} is not reached`);
+  };
+  const link = page.locator('.md-sidebar--primary a.md-nav__link', { hasText: 'The model' });
+  assert.ok(!await link.isVisible());
+  await until('button.menu');
+  await page.keyboard.press('Enter');
+  await until('#__nav_2');
+  await page.keyboard.press('Space');
+  await link.waitFor();
+  await until('.md-sidebar--primary a[href$="MODEL.html"]');
+  await page.context().close();
+});
+
+test('a wide table scrolls by keys', async () => {
+  const page = await open('pages/cases/CERTIFYING.html', { width: 400 });
+  await page.locator('.md-typeset__scrollwrap[tabindex="0"]').first().focus();
+  await page.keyboard.press('ArrowRight');
+  await page.waitForFunction(() => document.activeElement.scrollLeft > 0);
+  await page.context().close();
+});
+
 test('every link of pages and reports leads to a file, and the name of each of them to the front page', () => {
   const missing = new Set();
   let names = 0;
