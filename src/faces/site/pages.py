@@ -158,17 +158,24 @@ def carry_search(site, project):
 """)
 
 
-def lead_to_front(out):
+def mend(out):
     """The name or logo of each page leads to the site's front page; MkDocs leads no link out of its folder, and a report knows
-    of none."""
+    of none. For who uses keys or a screen reader, the theme's search gets a name and its menu a button; a column without a
+    heading gets no empty one."""
     name_leads = re.compile(r'(<a class="brand" href=")[^"]*|(<a href=")[^"]*(?="[^>]*md-logo)')
+    menu = re.compile(r'<label class="(md-header__button md-icon)" for="__drawer">(.*?)</label>', re.DOTALL)
+    no_heading = re.compile(r"<th( [^>]*)?></th>")
     for folder, _, names in (found for part in ("pages", "papers", "engines") for found in os.walk(os.path.join(out, part))):
         front = os.path.relpath(os.path.join(out, "index.html"), folder)
         for path in (os.path.join(folder, name) for name in names if name.endswith(".html")):
             with open(path, encoding="utf-8") as file:
                 text = file.read()
+            text = name_leads.sub(lambda link: (link[1] or link[2]) + front, text)
+            text = no_heading.sub(r"<td\1></td>", text)
+            text = text.replace('role="dialog"', 'role="dialog" aria-label="Search"')
+            text = menu.sub(r'<button class="\1 menu" aria-label="Menu">\2</button>', text)
             with open(path, "w", encoding="utf-8") as file:
-                file.write(name_leads.sub(lambda link: (link[1] or link[2]) + front, text))
+                file.write(text)
 
 
 def main(sources, built, out):
@@ -190,7 +197,7 @@ def main(sources, built, out):
     build(load_config(os.path.join(HERE, "mkdocs.yml"), docs_dir=folder, site_dir=site, strict=True,
                       nav=navigation(project, sections)))
     carry_search(site, project)
-    lead_to_front(out)
+    mend(out)
     shutil.rmtree(folder)
 
 
