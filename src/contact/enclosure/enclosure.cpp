@@ -34,11 +34,12 @@ std::vector<std::size_t> contacts_of(const MixedProblem& problem, const ModeSyst
 }
 
 class EnclosureSearch {
-  static constexpr std::size_t factored_from = 40;
-
  public:
   EnclosureSearch(const MixedProblem& problem, const EnclosureOptions& options)
-      : problem_(problem), options_(options), scales_(contact_scales(problem)) {}
+      : problem_(problem),
+        options_(options),
+        factored_from_(std::min<std::size_t>(40, options.sparse_from)),
+        scales_(contact_scales(problem)) {}
 
   std::variant<Enclosure, NoEnclosure> run(std::span<const double> answer) {
     std::vector<double> x(answer.begin(), answer.end());
@@ -102,8 +103,8 @@ class EnclosureSearch {
   std::optional<NoEnclosure> prepare() {
     if (!combinations_.empty()) {  // what is dependent has been found in this mode
       for (SystemBlock& block : blocks_) {
-        const bool inverted = factor(block) || invert_densely(block) || block.inverse.size == block.unknowns.size();
-        if (!inverted) return too_large(block);
+        const bool can_step = invert(block, factored_from_) || block.inverse.size == block.unknowns.size();
+        if (!can_step) return too_large(block);
       }
       return std::nullopt;
     }
@@ -141,8 +142,7 @@ class EnclosureSearch {
   /// these say that the equations are dependent.
   bool factor(SystemBlock& block) const {
     block.sparse.reset();
-    const std::size_t from = std::min(factored_from, options_.sparse_from);
-    if (!is_large_and_sparse(*system_, block, z_, from)) return invert_densely(block);
+    if (!is_large_and_sparse(*system_, block, z_, factored_from_)) return invert_densely(block);
     block.sparse = sparse_inverse(*system_, block, z_);
     return block.sparse != nullptr;
   }
@@ -179,7 +179,7 @@ class EnclosureSearch {
     }
     blocks_ = blocks_of(*system_, z_, pinned_, dropped_);
     for (SystemBlock& block : blocks_) {
-      if (block.unknowns.size() == block.equations.size() && (factor(block) || invert_densely(block))) continue;
+      if (block.unknowns.size() == block.equations.size() && invert(block, factored_from_)) continue;
       return NoEnclosure{"the forces of these contacts depend on each other, not exactly, but up to rounding",
                          contacts_of(problem_, *system_, block.unknowns)};
     }
@@ -250,6 +250,7 @@ class EnclosureSearch {
 
   const MixedProblem& problem_;
   const EnclosureOptions& options_;
+  const std::size_t factored_from_;  ///< unknowns of a block from which sparse factors cost less than an inverse
   const std::vector<double> scales_;
   std::optional<ModeSystem> system_;
   std::vector<double> z_;
