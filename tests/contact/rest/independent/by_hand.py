@@ -46,6 +46,37 @@ def arch(t):
     return 22 * t**3 - 359 * t**2 - 436 * t + 52
 
 
+def push_on_arch(rho, R, t, b):
+    """Hinges of the arch of five: outside at the right foot, inside above block 1, outside above block 3, inside above
+    block 4. Blocks between hinges turn alike, at rates that close the chain; weights and push do no work together."""
+    inner, outer = R - t / 2, R + t / 2
+    cuts = [(F(1), F(0)), (F(4, 5), F(3, 5)), (F(7, 25), F(24, 25)), (F(-7, 25), F(24, 25)), (F(-4, 5), F(3, 5))]
+    hinges = [(r * cuts[k][0], r * cuts[k][1]) for k, r in ((0, outer), (1, inner), (3, outer), (4, inner))]
+    d1, d2, d3 = ((q[0] - p[0], q[1] - p[1]) for p, q in zip(hinges, hinges[1:]))
+
+    def across(a, b):
+        return a[0] * b[1] - a[1] * b[0]
+
+    rates = [across(d2, d3), across(d3, d1), across(d1, d2)]
+    speed, work, aside = (F(0), F(0)), F(0), None
+    for hinge, step, rate, blocks in zip(hinges, (d1, d2, d3), rates, ((0,), (1, 2), (3,))):
+        for k in blocks:
+            p, q = cuts[k], cuts[k + 1]
+            mass = 2 * b * rho * across(p, q) * (outer**2 - inner**2) / 2
+            centre = (outer**3 - inner**3) / (outer**2 - inner**2) / 3
+            work -= mass * G * (speed[1] + rate * (centre * (p[0] + q[0]) - hinge[0]))
+            if k == 2:
+                aside = speed[0] - rate * (centre * (p[1] + q[1]) - hinge[1])
+        speed = (speed[0] - rate * step[1], speed[1] + rate * step[0])
+    return -work / aside
+
+
+def house_of_cards(tan):
+    """The upper pair and the flat card weigh 3 m g, 3/4 on each lower card. Moments about its foot: m g/2 + 3/4 m g at the
+    top, times cot theta, is the friction; the foot bears 7/4 m g."""
+    return (F(1, 2) + F(3, 4)) / (1 + F(3, 4)) / tan
+
+
 def number(told, value):
     if told is None or value is None:
         return told is value
@@ -77,6 +108,7 @@ TABLE = table((F(1), F(-1, 4), F(20)), (F(1), F(1, 2), F(40)), (F(-1), F(-1, 4),
 LADDER = ladder(F(10), F(1, 4), F(1, 5), F(12, 5), F(2), F(1))
 POINTED = pointed_ladder(F(10), F(7, 20), F(12, 5), F(3, 2), F(1, 4))
 LEAST, MOST = flying_buttress(F(20000), F(2000), F(60000), F(7, 10))
+ARCH, HOUSE = push_on_arch(F(600), F(1, 10), F(1, 50), F(1, 40)), house_of_cards(F(12, 5))
 BOOKS = row_of_books(F(1, 2), F(2, 5), F(1, 5))
 # scene, options, what is asked of the answer, and whether it is so
 QUESTIONS = [
@@ -89,6 +121,9 @@ QUESTIONS = [
      lambda a: a["can_rest"] and number(a["load"]["from"], LEAST) and number(a["load"]["to"], MOST)),
     ("flying-buttress", [], "it can fall, too", lambda a: a["must_rest"] is False),
     ("two-cards", ["--parameter", "mu"], "mu from 5/24", lambda a: a["can_rest"] and number(a["parameter"]["from"], F(5, 24))),
+    ("house-of-cards", ["--parameter", "mu"], f"mu from {HOUSE}", lambda a: a["can_rest"] and number(a["parameter"]["from"], HOUSE)),
+    ("arch-of-five", [], f"F up to {ARCH} either way",
+     lambda a: a["can_rest"] and number(a["load"]["from"], -ARCH) and number(a["load"]["to"], ARCH)),
     ("row-of-books", [], f"P from {BOOKS}", lambda a: a["can_rest"] and number(a["load"]["from"], BOOKS) and a["load"]["to"] is None),
     ("plate-in-two-fingertips", [], "M = 0 only", lambda a: a["can_rest"] and number(a["load"]["from"], F(0)) and number(a["load"]["to"], F(0))),
     ("plate-in-three-fingertips", [], "M up to 2 q sqrt((mu P)^2 - (m g/4)^2) = 4/25",
@@ -101,6 +136,7 @@ QUESTIONS = [
     ("block-on-slope", ["--parameter", "mu_s"], "mu_s from 3/4", lambda a: number(a["parameter"]["from"], F(3, 4))),
     ("block-on-board", ["--tilt", "0,1,0"], "tips at 1/3", lambda a: a["can_rest"] and number(a["tilt"]["tangent"], F(1, 3))),
     ("block-on-board", ["--tilt", "1,0,0"], "slides at 1/2", lambda a: number(a["tilt"]["tangent"], F(1, 2))),
+    ("block-on-board", ["--tilt", "4/5,3/5,0"], "slides at 1/2, as about any axis", lambda a: number(a["tilt"]["tangent"], F(1, 2))),
     ("table-pulled-at-its-edge", ["--map", "H", "P"], f"corners {TABLE}",
      lambda a: a["map"]["exact"] and corners(a["map"]) == TABLE and len(a["map"]["borders"]) == 4),
     ("block-on-board", ["--tilt", "3/5,4/5,0"], "tips at 5/12", lambda a: number(a["tilt"]["tangent"], F(5, 12))),
