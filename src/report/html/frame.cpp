@@ -7,15 +7,17 @@ namespace slipproof {
 
 const std::string_view search_script =
     R"js("use strict";
+// Small letters without accents: "Painlevé" is found as "painleve".
+const plain = function (text) { return text.toLowerCase().normalize("NFD").replace(/\p{M}/gu, ""); };
 document.querySelectorAll("input[type=search]").forEach(function (field) {
   const items = document.querySelectorAll("#" + field.dataset.list + " .item");
   const count = field.parentElement.querySelector("output");
   field.parentElement.hidden = false;
   field.addEventListener("input", function () {
-    const words = field.value.toLowerCase().split(/\s+/);
+    const words = plain(field.value).split(/\s+/);
     let shown = 0;
     items.forEach(function (item) {
-      const text = item.textContent.toLowerCase();
+      const text = plain(item.textContent);
       item.hidden = !words.every(function (word) { return text.includes(word); });
       if (!item.hidden) shown += 1;
     });
