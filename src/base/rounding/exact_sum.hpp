@@ -18,6 +18,8 @@ class ExactSum {
   void add(double a, double b);
   /// The sum so far, exactly.
   Rational value() const;
+  /// The binary64 nearest to it, ties to even; nothing is allocated, unless it is subnormal or near overflow.
+  double nearest() const;
 
  private:
   static constexpr int lowest = -2 * 1074;  ///< exponent of the last bit of the smallest product

@@ -31,7 +31,7 @@ class KrawczykTest {
   KrawczykTest(const ModeSystem& system, const SystemBlock& block, std::span<const double> z)
       : system_(system), block_(block), n_(block.unknowns.size()), J_(block_derivative(system, block, z, &errors_)) {
     const std::vector<double> x = system.x_at(z);
-    for (const std::size_t e : block.equations) F_.push_back(nearest_binary64(system.value(e, z, x)));
+    for (const std::size_t e : block.equations) F_.push_back(system.nearest_value(e, z, x));
     defect_ = absolute_defect(block.inverse, J_);
     for (std::size_t j = 0; j < n_; ++j) step_.push_back(std::abs(dot(block.inverse.row(j), F_)));
   }
@@ -144,7 +144,7 @@ DenseMatrix block_derivative(const ModeSystem& system, const SystemBlock& block,
 std::vector<double> newton_step(const ModeSystem& system, const SystemBlock& block, std::span<const double> z,
                                 std::span<const double> x) {
   std::vector<double> F, step;
-  for (const std::size_t e : block.equations) F.push_back(nearest_binary64(system.value(e, z, x)));
+  for (const std::size_t e : block.equations) F.push_back(system.nearest_value(e, z, x));
   if (block.sparse) {
     for (std::size_t i = 0; i < F.size(); ++i) F[i] *= block.sparse->rows[i];
     step = block.sparse->factor.solve(F);

@@ -14,7 +14,7 @@ namespace slipproof {
 namespace {
 
 double approximate_row(const MixedProblem& problem, std::size_t row, std::span<const double> x) {
-  return nearest_binary64(exact_row(problem, row, x));
+  return row_sum(problem, row, x).nearest();
 }
 
 /// The state of a closed contact that slides with these signs, if with any.
@@ -181,6 +181,14 @@ Rational ModeSystem::value(std::size_t equation, std::span<const Rational> z) co
     return sum;
   };
   return value_of(equations_[equation], row, [&](std::size_t j) -> const Rational& { return z[j]; });
+}
+
+double ModeSystem::nearest_value(std::size_t equation, std::span<const double> z, std::span<const double> x) const {
+  const Equation& e = equations_[equation];
+  if (e.kind != Kind::linear && e.kind != Kind::tangential) return nearest_binary64(value(equation, z, x));
+  ExactSum sum = row_sum(*problem_, e.row, x);
+  if (e.kind == Kind::tangential) sum.add(z[e.slip], z[e.force]);
+  return sum.nearest();
 }
 
 std::vector<ModeSystem::Entry> ModeSystem::derivative(std::size_t equation, std::span<const double> z) const {

@@ -98,6 +98,8 @@ class ModeSystem {
   Rational value(std::size_t equation, std::span<const double> z, std::span<const double> x) const;
   /// The same for unknowns that need not be binary64.
   Rational value(std::size_t equation, std::span<const Rational> z) const;
+  /// The binary64 nearest to F_i; `x` is x_at(z).
+  double nearest_value(std::size_t equation, std::span<const double> z, std::span<const double> x) const;
   /// Row i of the derivative of F, in no order, each unknown once.
   std::vector<Entry> derivative(std::size_t equation, std::span<const double> z) const;
   /// The same without rounding.

@@ -78,7 +78,7 @@ ContactSizes contact_sizes(const MixedProblem& problem) {
     each_size(problem, i, [&](std::size_t j, double a) {
       if (j < problem.free && diagonal[j] > 0) W += a * (a / diagonal[j]);
     });
-    const double q = std::abs(nearest_binary64(exact_row(problem, i, x)));
+    const double q = std::abs(row_sum(problem, i, x).nearest());
     result.velocity = std::max(result.velocity, q);
     if (W > 0) result.force = std::max(result.force, q / W);
   }

@@ -134,7 +134,7 @@ class Border {
     for (std::size_t k = 0; k < problem.contacts(); ++k) {
       std::vector<double> u;
       for (std::size_t i = problem.normal(k); i < problem.normal(k) + problem.dimension; ++i) {
-        u.push_back(nearest_binary64(exact_row(problem, i, x)) / scales_[k]);
+        u.push_back(row_sum(problem, i, x).nearest() / scales_[k]);
         size_ = std::max({size_, std::abs(x[i]), std::abs(problem.c[i]) / scales_[k]});
       }
       motion_.push_back(std::move(u));

@@ -5,7 +5,6 @@
 
 #include "base/algebra/flint_matrix.hpp"
 #include "base/number/binary64.hpp"
-#include "base/rounding/exact_sum.hpp"
 
 namespace slipproof {
 
@@ -138,13 +137,17 @@ std::vector<Rational> EliminatedProblem::with_free(std::vector<Rational> r) cons
   return x;
 }
 
-Rational exact_row(const MixedProblem& problem, std::size_t row, std::span<const double> x) {
+ExactSum row_sum(const MixedProblem& problem, std::size_t row, std::span<const double> x) {
   ExactSum sum;
   sum.add(problem.c[row]);
   const auto columns = problem.A.columns_of(row);
   const auto values = problem.A.values_of(row);
   for (std::size_t k = 0; k < columns.size(); ++k) sum.add(values[k], x[columns[k]]);
-  return sum.value();
+  return sum;
+}
+
+Rational exact_row(const MixedProblem& problem, std::size_t row, std::span<const double> x) {
+  return row_sum(problem, row, x).value();
 }
 
 Rational exact_row(const MixedProblem& problem, std::size_t row, const std::vector<Rational>& x) {

@@ -7,6 +7,7 @@
 
 #include "base/algebra/sparse_matrix.hpp"
 #include "base/number/rational.hpp"
+#include "base/rounding/exact_sum.hpp"
 #include "contact/formats/problem_file.hpp"
 #include "contact/problem/problem.hpp"
 
@@ -60,6 +61,7 @@ struct EliminatedProblem {
 std::optional<EliminatedProblem> eliminated(const MixedProblem& problem);
 
 /// Row i of A x + c, exactly. Linear in its entries.
+ExactSum row_sum(const MixedProblem& problem, std::size_t row, std::span<const double> x);
 Rational exact_row(const MixedProblem& problem, std::size_t row, std::span<const double> x);
 Rational exact_row(const MixedProblem& problem, std::size_t row, const std::vector<Rational>& x);
 

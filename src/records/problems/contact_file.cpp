@@ -324,7 +324,7 @@ std::string refined_answer(const JudgedProblem& problem, std::size_t answer) {
     }
   }
   for (std::size_t i = problem.mixed.free; i < x.size(); ++i) {
-    result["u"].push_back(nearest_binary64(exact_row(problem.mixed, i, x)));
+    result["u"].push_back(row_sum(problem.mixed, i, x).nearest());
   }
   result["radius"] = std::move(radius);
   return json_text(result) + '\n';
