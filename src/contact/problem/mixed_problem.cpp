@@ -1,10 +1,12 @@
 #include "contact/problem/mixed_problem.hpp"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
 #include "base/algebra/flint_matrix.hpp"
 #include "base/number/binary64.hpp"
+#include "contact/problem/parts.hpp"
 
 namespace slipproof {
 
@@ -37,6 +39,38 @@ void add_to_diagonal(std::vector<MatrixEntry>& entries, std::size_t first, const
     const auto place = static_cast<std::uint32_t>(first + i);
     if (left[i] != 0) entries.push_back({place, place, left[i]});
   }
+}
+
+/// The rows of X and y of free unknowns that depend on no others. False if their equations are singular.
+bool solve_free(const MixedProblem& problem, const std::vector<std::size_t>& part, EliminatedProblem& result) {
+  std::vector<std::size_t> forces;  // on which they depend
+  for (const std::size_t row : part) {
+    for (const std::uint32_t j : problem.A.columns_of(row)) {
+      if (j >= problem.free) forces.push_back(j);
+    }
+  }
+  std::ranges::sort(forces);
+  forces.erase(std::unique(forces.begin(), forces.end()), forces.end());
+  const auto place = [](const std::vector<std::size_t>& of, std::size_t j) {
+    return static_cast<std::size_t>(std::ranges::lower_bound(of, j) - of.begin());
+  };
+  FlintRationalMatrix A(part.size(), part.size()), right(part.size(), forces.size() + 1),
+      solved(part.size(), forces.size() + 1);
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    right.set(i, forces.size(), -to_rational(problem.c[part[i]]));
+    const auto columns = problem.A.columns_of(part[i]);
+    for (std::size_t e = 0; e < columns.size(); ++e) {
+      const std::size_t j = columns[e];
+      const Rational a = to_rational(problem.A.values_of(part[i])[e]);
+      j < problem.free ? A.set(i, place(part, j), a) : right.set(i, place(forces, j), -a);
+    }
+  }
+  if (fmpq_mat_solve(solved.get(), A.get(), right.get()) == 0) return false;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    for (std::size_t j = 0; j < forces.size(); ++j) result.X[part[i]][forces[j] - problem.free] = solved.at(i, j);
+    result.y[part[i]] = solved.at(i, forces.size());
+  }
+  return true;
 }
 
 }  // namespace
@@ -89,38 +123,31 @@ MixedProblem coulomb_problem(ProblemFile file) {
 
 std::optional<EliminatedProblem> eliminated(const MixedProblem& problem) {
   const std::size_t free = problem.free, n = problem.size() - free;
-  FlintRationalMatrix A(free, free), right(free, n + 1), solved(free, n + 1);
   EliminatedProblem result;
+  result.X.assign(free, std::vector<Rational>(n));
+  result.y.resize(free);
+  for (const std::vector<std::size_t>& part : free_parts(problem)) {
+    if (!solve_free(problem, part, result)) return std::nullopt;
+  }
   ContactProblem& small = result.problem;
   small.W.assign(n, std::vector<Rational>(n));
-  for (std::size_t i = 0; i < problem.size(); ++i) {
-    const Rational c = to_rational(problem.c[i]);
-    i < free ? right.set(i, n, -c) : small.q.push_back(c);
-    for (std::size_t e = problem.A.starts[i]; e < problem.A.starts[i + 1]; ++e) {
-      const std::size_t j = problem.A.column[e];
-      const Rational a = to_rational(problem.A.value[e]);
-      if (i >= free && j >= free) small.W[i - free][j - free] = a;
-      if (i < free) j < free ? A.set(i, j, a) : right.set(i, j - free, -a);
+  for (std::size_t i = 0; i < n; ++i) {
+    small.q.push_back(to_rational(problem.c[free + i]));
+    const auto columns = problem.A.columns_of(free + i);
+    for (std::size_t e = 0; e < columns.size(); ++e) {
+      const std::size_t j = columns[e];
+      const Rational a = to_rational(problem.A.values_of(free + i)[e]);
+      if (j >= free) {
+        small.W[i][j - free] += a;
+        continue;
+      }
+      for (std::size_t k = 0; k < n; ++k) {
+        if (!result.X[j][k].is_zero()) small.W[i][k] += a * result.X[j][k];
+      }
+      small.q[i] += a * result.y[j];
     }
   }
-  if (problem.dimension == 2) {
-    for (const double mu : problem.mu) small.mu.push_back(to_rational(mu));
-  }
-  if (free == 0) return result;
-  if (fmpq_mat_solve(solved.get(), A.get(), right.get()) == 0) return std::nullopt;
-  for (std::size_t j = 0; j < free; ++j) {
-    std::vector<Rational>& row = result.X.emplace_back();
-    for (std::size_t k = 0; k < n; ++k) row.push_back(solved.at(j, k));
-    result.y.push_back(solved.at(j, n));
-  }
-  for (std::size_t i = free; i < problem.size(); ++i) {
-    for (std::size_t e = problem.A.starts[i]; e < problem.A.starts[i + 1] && problem.A.column[e] < free; ++e) {
-      const Rational a = to_rational(problem.A.value[e]);
-      const std::size_t j = problem.A.column[e];
-      for (std::size_t k = 0; k < n; ++k) small.W[i - free][k] += a * result.X[j][k];
-      small.q[i - free] += a * result.y[j];
-    }
-  }
+  if (problem.dimension == 2) small.mu = to_rationals(problem.mu);
   return result;
 }
 

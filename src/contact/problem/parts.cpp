@@ -50,4 +50,17 @@ MixedProblem part_of(const MixedProblem& problem, const ContactPart& part, const
   return result;
 }
 
+std::vector<std::vector<std::size_t>> free_parts(const MixedProblem& problem) {
+  UnionFind parts(problem.free);
+  for (std::size_t i = 0; i < problem.free; ++i) {
+    for (const std::uint32_t j : problem.A.columns_of(i)) {
+      if (j < problem.free) parts.join(i, j);
+    }
+  }
+  std::vector<std::vector<std::size_t>> by_root(problem.free);
+  for (std::size_t i = 0; i < problem.free; ++i) by_root[parts.find(i)].push_back(i);
+  std::erase_if(by_root, [](const auto& part) { return part.empty(); });
+  return by_root;
+}
+
 }  // namespace slipproof

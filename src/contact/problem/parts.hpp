@@ -19,5 +19,7 @@ std::vector<std::size_t> rows_of(const MixedProblem& problem, const ContactPart&
 /// The part as a problem of its own, with its rows_of() in their order; of its law the kind is kept. Nearly linear in
 /// the part.
 MixedProblem part_of(const MixedProblem& problem, const ContactPart& part, const std::vector<std::size_t>& rows);
+/// The free unknowns that depend on each other without contacts, as lists: bodies, and what joints connect.
+std::vector<std::vector<std::size_t>> free_parts(const MixedProblem& problem);
 
 }  // namespace slipproof

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <map>
 
-#include "base/algebra/union_find.hpp"
 #include "base/number/dice.hpp"
 #include "base/parallel/stop.hpp"
 #include "contact/enclosure/answer.hpp"
@@ -22,20 +21,6 @@ namespace {
 
 using Dense = Eigen::MatrixXd;
 using DenseVector = Eigen::VectorXd;
-
-/// The free unknowns that depend on each other, as lists: bodies, and what joints connect.
-std::vector<std::vector<std::size_t>> free_parts(const MixedProblem& problem) {
-  UnionFind parts(problem.free);
-  for (std::size_t i = 0; i < problem.free; ++i) {
-    for (const std::uint32_t j : problem.A.columns_of(i)) {
-      if (j < problem.free) parts.join(i, j);
-    }
-  }
-  std::vector<std::vector<std::size_t>> by_root(problem.free);
-  for (std::size_t i = 0; i < problem.free; ++i) by_root[parts.find(i)].push_back(i);
-  std::erase_if(by_root, [](const auto& part) { return part.empty(); });
-  return by_root;
-}
 
 /// x_free = -X r - y in binary64, by the parts of the free unknowns: a row of (column, value) for each.
 struct FreeByForces {
