@@ -1,9 +1,11 @@
 #include "contact/exact/linear_modes.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <type_traits>
 
 #include "base/number/binary64.hpp"
-#include "base/parallel/stop.hpp"
+#include "contact/exact/tableau.hpp"
 
 namespace slipproof {
 
@@ -27,152 +29,91 @@ std::vector<State> states_of(const MixedProblem& problem, std::size_t k, Slides 
   return states;
 }
 
-/// Linear equations between forces: those of closed contacts as far as they are solved, and velocities of contacts that
-/// are not decided yet.
-class Tableau {
- public:
-  explicit Tableau(const ContactProblem& problem) {
-    for (std::size_t i = 0; i < problem.size(); ++i) {
-      columns_.push_back({i, false});
-      rows_.push_back({i, Row::Kind::velocity, problem.W[i], problem.q[i]});
-    }
+bool is(const State& state, ConeState known) {
+  switch (state.kind) {
+    case Contact::open:
+      return known == ConeState::open;
+    case Contact::stick:
+    case Contact::closed:
+      return known == ConeState::stick;
+    case Contact::slides:
+      break;
   }
+  return known == (state.sign > 0 ? ConeState::slide_plus : ConeState::slide_minus);
+}
 
-  /// The force is 0.
-  void drop_column(std::size_t component) {
-    const std::size_t j = column_of(component);
-    columns_.erase(columns_.begin() + static_cast<std::ptrdiff_t>(j));
-    for (Row& row : rows_) row.a.erase(row.a.begin() + static_cast<std::ptrdiff_t>(j));
+/// About the work of one entry of an exact elimination: numbers grow with each force that is eliminated.
+Work work_of_entry(const ContactProblem& contacts) {
+  constexpr Work allocated = 40, products = 4;  // of a sum and a product of rational numbers in lowest terms
+  std::size_t bits = 1;
+  for (const auto& row : contacts.W) {
+    for (const Rational& a : row) bits = std::max(bits, bit_count(a));
   }
-  /// The velocity may be anything.
-  void drop_row(std::size_t component) {
-    std::erase_if(rows_, [&](const Row& row) { return row.is_velocity(component); });
-  }
+  return allocated + products * product_work(bits * contacts.size() / 2);
+}
 
-  /// The force of `tangential` is `factor` times that of `normal`.
-  void tie(std::size_t tangential, std::size_t normal, const Rational& factor) {
-    const std::size_t from = column_of(tangential), to = column_of(normal);
-    for (Row& row : rows_) row.a[to] += factor * row.a[from];
-    drop_column(tangential);
-  }
-
-  /// The force may be anything.
-  void free_column(std::size_t component) { columns_[column_of(component)].closed = true; }
-  /// The velocity is 0.
-  void stop_row(std::size_t component) {
-    for (Row& row : rows_) {
-      if (row.is_velocity(component)) row.kind = Row::Kind::zero;
-    }
-  }
-
-  /// Solves the rows that are 0 for forces of closed contacts, as many as can be. False if one of them has no solution
-  /// whatever the other contacts do.
-  bool eliminate() {
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      if (rows_[i].kind != Row::Kind::zero) continue;
-      for (std::size_t j = 0; j < columns_.size(); ++j) {
-        if (!columns_[j].closed || rows_[i].a[j].is_zero()) continue;
-        solve(i, j);
-        break;
-      }
-      const auto is_zero = [](const Rational& a) { return a.is_zero(); };
-      if (rows_[i].kind == Row::Kind::zero && !rows_[i].constant.is_zero() && std::ranges::all_of(rows_[i].a, is_zero))
-        return false;
-    }
-    return true;
-  }
-
-  /// Once all contacts are decided: whether something leaves forces open.
-  bool is_determined() const { return columns_.empty(); }
-  /// The forces, with the open ones at value(component).
-  template <class Value>
-  std::vector<Rational> forces(std::size_t size, const Value& value) const {
-    std::vector<Rational> r(size), open;
-    for (const Column& column : columns_) {
-      open.push_back(value(column.component));
-      r[column.component] = open.back();
-    }
-    for (const Row& row : rows_) {
-      if (row.kind != Row::Kind::force) continue;
-      Rational& sum = r[row.component] = row.constant;
-      for (std::size_t j = 0; j < open.size(); ++j) sum += row.a[j] * open[j];
-    }
-    return r;
-  }
-
- private:
-  struct Column {
-    std::size_t component;
-    bool closed;  ///< its contact is
-  };
-  struct Row {
-    enum class Kind : std::uint8_t { velocity, zero, force };
-    std::size_t component;
-    Kind kind;
-    std::vector<Rational> a;
-    Rational constant;
-    bool is_velocity(std::size_t i) const { return kind == Kind::velocity && component == i; }
-  };
-
-  std::size_t column_of(std::size_t component) const {
-    return static_cast<std::size_t>(std::ranges::find(columns_, component, &Column::component) - columns_.begin());
-  }
-
-  /// Row i, which is 0, for the force of column j, which it replaces everywhere.
-  void solve(std::size_t i, std::size_t j) {
-    Row& pivot = rows_[i];
-    const Rational by = -pivot.a[j];
-    const auto place = static_cast<std::ptrdiff_t>(j);
-    pivot.a.erase(pivot.a.begin() + place);
-    for (Rational& a : pivot.a) a /= by;
-    pivot.constant /= by;
-    pivot.kind = Row::Kind::force;
-    pivot.component = columns_[j].component;
-    columns_.erase(columns_.begin() + place);
-    for (std::size_t k = 0; k < rows_.size(); ++k) {
-      if (k == i) continue;
-      const Rational factor = rows_[k].a[j];
-      rows_[k].a.erase(rows_[k].a.begin() + place);
-      if (factor.is_zero()) continue;
-      for (std::size_t l = 0; l < pivot.a.size(); ++l) rows_[k].a[l] += factor * pivot.a[l];
-      rows_[k].constant += factor * pivot.constant;
-    }
-  }
-
-  std::vector<Column> columns_;
-  std::vector<Row> rows_;
-};
-
+/// Modes are solved with error bounds first. What surely has no solution ends there; the others are solved again,
+/// exactly, from the first contact on.
 class ModeTree {
  public:
   ModeTree(const MixedProblem& problem, const ContactProblem& contacts, Slides slides, std::span<const double> start,
-           const std::function<bool(const std::vector<Rational>&)>& visit)
-      : problem_(problem), contacts_(contacts), slides_(slides), start_(start), visit_(visit) {
-    for (const double mu : problem.mu) mu_.push_back(to_rational(mu));
+           const ConeMode* known, Effort& effort, const std::function<bool(const std::vector<Rational>&)>& visit)
+      : problem_(problem),
+        slides_(slides),
+        start_(start),
+        known_(known),
+        exact_{contacts.W, contacts.q, to_rationals(problem.mu)},
+        near_(exact_),
+        exact_entry_(work_of_entry(contacts)),
+        effort_(effort),
+        visit_(visit) {}
+
+  void run() { go_on(Tableau<Approximate>(near_)); }
+
+ private:
+  template <class Number>
+  const LinearProblem<Number>& numbers() const {
+    if constexpr (std::is_same_v<Number, Rational>) {
+      return exact_;
+    } else {
+      return near_;
+    }
   }
 
   /// False if it is to end.
-  bool go_on(const Tableau& before) {
+  template <class Number>
+  bool go_on(const Tableau<Number>& before) {
     const std::size_t k = mode_.size();
     if (k == problem_.contacts()) return leaf(before);
     for (const State& state : states_of(problem_, k, slides_)) {
-      Tableau next = before;
-      enter(next, k, state);
-      if (!next.eliminate()) continue;
+      Tableau<Number> next = before;
+      const Solvable found = enter(next, k, state);
+      if (found == Solvable::no) continue;
       mode_.push_back(state);
-      const bool more = go_on(next);
+      const bool more = found == Solvable::unsure ? go_on_exactly() : go_on(next);
       mode_.pop_back();
       if (!more) return false;
     }
     return true;
   }
 
- private:
+  /// The same for what is decided so far.
+  bool go_on_exactly() {
+    Tableau<Rational> exact(exact_);
+    for (std::size_t k = 0; k < mode_.size(); ++k) {
+      if (enter(exact, k, mode_[k]) == Solvable::no) return true;
+    }
+    return go_on(exact);
+  }
+
   std::size_t normal(std::size_t k) const { return problem_.dimension * k; }
 
-  void enter(Tableau& tableau, std::size_t k, const State& state) const {
+  template <class Number>
+  Solvable enter(Tableau<Number>& tableau, std::size_t k, const State& state) {
+    constexpr Work near_entry = 20;
+    effort_.spend(times(tableau.entries(), std::is_same_v<Number, Rational> ? exact_entry_ : near_entry));
     const std::size_t n = normal(k);
-    if (state.kind == Contact::slides) tableau.tie(n + state.axis, n, factor(k, state));
+    if (state.kind == Contact::slides) tableau.tie(n + state.axis, n, factor<Number>(k, state));
     for (std::size_t i = n; i < n + problem_.dimension; ++i) {
       const bool closed = state.kind == Contact::stick || (state.kind != Contact::open && i == n);
       const bool along = state.kind == Contact::slides && i == n + state.axis;
@@ -187,63 +128,96 @@ class ModeTree {
         tableau.drop_row(i);
       }
     }
+    return tableau.eliminate();
   }
 
   /// r_T / r_N of a contact that slides.
-  Rational factor(std::size_t k, const State& state) const { return state.sign > 0 ? Rational(-mu_[k]) : mu_[k]; }
-
-  bool leaf(const Tableau& tableau) const {
-    stop_if_asked();
-    if (!candidate(tableau.forces(contacts_.size(), [](std::size_t) { return Rational(0); }))) return false;
-    return tableau.is_determined() ||
-           candidate(tableau.forces(contacts_.size(), [&](std::size_t i) { return to_rational(start_[i]); }));
+  template <class Number>
+  Number factor(std::size_t k, const State& state) const {
+    const Number& mu = numbers<Number>().mu[k];
+    return state.sign > 0 ? Number(-mu) : mu;
   }
 
-  /// False if the search is to end.
-  bool candidate(std::vector<Rational> r) const {
+  bool is_known() const { return known_ != nullptr && std::ranges::equal(mode_, *known_, is); }
+
+  bool leaf(const Tableau<Approximate>& tableau) {
+    if (tableau.is_determined() && is_known()) return true;
+    const auto may_be = [&](const auto& open) { return may_solve(with_ties(tableau.forces(start_.size(), open))); };
+    const auto none = [](std::size_t) { return Approximate(); };
+    const auto start = [&](std::size_t i) { return Approximate(start_[i]); };
+    const bool surely_none = !may_be(none) && (tableau.is_determined() || !may_be(start));
+    return surely_none || go_on_exactly();
+  }
+
+  bool leaf(const Tableau<Rational>& tableau) const {
+    const auto go_on_from = [&](const auto& open) {
+      const std::vector<Rational> r = with_ties(tableau.forces(start_.size(), open));
+      return !may_solve(r) || visit_(r);
+    };
+    if (!go_on_from([](std::size_t) { return Rational(0); })) return false;
+    return tableau.is_determined() || go_on_from([&](std::size_t i) { return to_rational(start_[i]); });
+  }
+
+  template <class Number>
+  std::vector<Number> with_ties(std::vector<Number> r) const {
     for (std::size_t k = 0; k < mode_.size(); ++k) {
       const std::size_t n = normal(k);
-      if (r[n].sign() < 0) return true;
-      if (mode_[k].kind == Contact::slides) r[n + mode_[k].axis] = factor(k, mode_[k]) * r[n];
-      if (mode_[k].kind == Contact::stick && !in_cone(k, r)) return true;
+      if (mode_[k].kind == Contact::slides) r[n + mode_[k].axis] = factor<Number>(k, mode_[k]) * r[n];
+    }
+    return r;
+  }
+
+  /// False if one of the mode's conditions surely fails.
+  template <class Number>
+  bool may_solve(const std::vector<Number>& r) const {
+    for (std::size_t k = 0; k < mode_.size(); ++k) {
+      if (is_surely(-1, sure_sign(r[normal(k)]))) return false;
+      if (mode_[k].kind == Contact::stick && is_outside(k, r)) return false;
     }
     for (std::size_t k = 0; k < mode_.size(); ++k) {
-      if (!moves_rightly(k, r)) return true;
-    }
-    return visit_(r);
-  }
-
-  bool in_cone(std::size_t k, const std::vector<Rational>& r) const {
-    const std::size_t n = normal(k);
-    Rational square = 0;
-    for (std::size_t i = n + 1; i < n + problem_.dimension; ++i) square += r[i] * r[i];
-    const Rational bound = mu_[k] * r[n];
-    return square <= bound * bound;
-  }
-
-  bool moves_rightly(std::size_t k, const std::vector<Rational>& r) const {
-    const std::size_t n = normal(k);
-    if (mode_[k].kind == Contact::open) return velocity(n, r).sign() >= 0;
-    if (mode_[k].kind != Contact::slides || r[n].is_zero()) return true;
-    for (std::size_t axis = 1; axis < problem_.dimension; ++axis) {
-      const int sign = velocity(n + axis, r).sign();
-      if (sign != 0 && (axis != mode_[k].axis || sign != mode_[k].sign)) return false;
+      if (moves_wrongly(k, r)) return false;
     }
     return true;
   }
 
-  Rational velocity(std::size_t i, const std::vector<Rational>& r) const {
-    Rational sum = contacts_.q[i];
-    for (std::size_t j = 0; j < r.size(); ++j) sum += contacts_.W[i][j] * r[j];
+  template <class Number>
+  bool is_outside(std::size_t k, const std::vector<Number>& r) const {
+    const std::size_t n = normal(k);
+    Number square(0);
+    for (std::size_t i = n + 1; i < n + problem_.dimension; ++i) square = square + r[i] * r[i];
+    const Number bound = numbers<Number>().mu[k] * r[n];
+    return is_surely(1, sure_sign(Number(square - bound * bound)));
+  }
+
+  template <class Number>
+  bool moves_wrongly(std::size_t k, const std::vector<Number>& r) const {
+    const std::size_t n = normal(k);
+    if (mode_[k].kind == Contact::open) return is_surely(-1, sure_sign(velocity(n, r)));
+    if (mode_[k].kind != Contact::slides || !is_surely(1, sure_sign(r[n]))) return false;
+    for (std::size_t axis = 1; axis < problem_.dimension; ++axis) {
+      const std::optional<int> sign = sure_sign(velocity(n + axis, r));
+      if (sign && *sign != 0 && (axis != mode_[k].axis || *sign != mode_[k].sign)) return true;
+    }
+    return false;
+  }
+
+  template <class Number>
+  Number velocity(std::size_t i, const std::vector<Number>& r) const {
+    const LinearProblem<Number>& problem = numbers<Number>();
+    Number sum = problem.q[i];
+    for (std::size_t j = 0; j < r.size(); ++j) sum = sum + problem.W[i][j] * r[j];
     return sum;
   }
 
   const MixedProblem& problem_;
-  const ContactProblem& contacts_;
   const Slides slides_;
   std::span<const double> start_;
+  const ConeMode* known_;
+  const LinearProblem<Rational> exact_;
+  const LinearProblem<Approximate> near_;
+  const Work exact_entry_;
+  Effort& effort_;
   const std::function<bool(const std::vector<Rational>&)>& visit_;
-  std::vector<Rational> mu_;
   std::vector<State> mode_;
 };
 
@@ -255,20 +229,10 @@ Work linear_modes(const MixedProblem& problem, Slides slides) {
   return modes;
 }
 
-Work work_of_linear_modes(const MixedProblem& problem, const ContactProblem& contacts, Slides slides) {
-  constexpr Work allocated = 40, products = 4;  // of a sum and a product of rational numbers in lowest terms
-  std::size_t bits = 1;
-  for (const auto& row : contacts.W) {
-    for (const Rational& a : row) bits = std::max(bits, bit_count(a));
-  }
-  const Work n = contacts.size(), an_entry = allocated + products * product_work(bits * n / 2);
-  return times(linear_modes(problem, slides), times(n * n, an_entry));
-}
-
 void each_linear_solution(const MixedProblem& problem, const ContactProblem& contacts, Slides slides,
-                          std::span<const double> start,
+                          std::span<const double> start, const ConeMode* known, Effort& effort,
                           const std::function<bool(const std::vector<Rational>&)>& visit) {
-  ModeTree(problem, contacts, slides, start, visit).go_on(Tableau(contacts));
+  ModeTree(problem, contacts, slides, start, known, effort, visit).run();
 }
 
 }  // namespace slipproof

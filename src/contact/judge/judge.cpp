@@ -29,18 +29,23 @@ class ContactCase {
  public:
   ContactCase(const MixedProblem& problem, std::span<const double> u, const ContactJudgeOptions& options,
               ContactJudgement& judgement)
-      : problem_(problem), u_(u), options_(options), j_(judgement), effort_(options.effort) {}
+      : problem_(problem),
+        u_(u),
+        options_(options),
+        j_(judgement),
+        effort_(options.effort),
+        beyond_(work_beyond_verdict(problem, options.effort)) {}
 
   /// A solution near the answer, and whether there are others.
   void look_near() {
     bool settled = false;
     if (problem_.is_coulomb()) extra("all solutions", [&] { settled = judge_among_all(); });
     if (!settled && have_modes(problem_)) extra("a solution near the answer", [&] { enclose(); });
-    if (!settled && problem_.is_coulomb() && j_.has_solution()) exclude_others();
     const bool known = j_.has_solution();
     if (known) j_.error = j_.enclosure ? error_from(*j_.enclosure) : error_from(j_.exact);
+    if (!settled && known && problem_.is_coulomb()) exclude_others();
     if (is_convex(problem_) && !(known && problem_.is_coulomb())) {
-      extra("a bound on every solution", [&] { bound_every(known); });
+      extra("a bound on every solution", [&] { bound_every_solution(problem_, u_, known, effort_, j_); });
     }
   }
 
@@ -56,7 +61,7 @@ class ContactCase {
     if (problem_.size() > 60) return false;
     std::optional<std::vector<Rational>> found;
     extra("why there is no solution", [&] {
-      Effort little(beyond_verdict());
+      Effort little(beyond_);
       const bool near = converged_answer(problem_, {.start = j_.x, .elsewhere = false}, options_.tolerance).has_value();
       found = infeasibility(problem_, near ? little : effort_);  // near one, multipliers are hardly found
     });
@@ -71,7 +76,7 @@ class ContactCase {
     const bool maybe = j_.undetermined > 0 || long_numbers || j_.verdict == ambiguous ||
                        j_.verdict == velocities_within_rho || (j_.verdict == eps_solution && !j_.contacts.empty());
     if (!maybe) return;
-    Effort effort(std::min(options_.effort, 25 * beyond_verdict()));
+    Effort effort(std::min(options_.effort, 25 * beyond_));
     extra("ranges of open forces", [&] { j_.open = open_forces(problem_, j_.x, options_.tolerance, effort); });
   }
 
@@ -112,26 +117,6 @@ class ContactCase {
   }
 
  private:
-  /// What follows for every solution, around the one that is known, or around the answer with its forces improved.
-  void bound_every(bool known) {
-    auto proof = prove_monotone(problem_, effort_);
-    if (!proof) {
-      if (!known && j_.reason.empty()) j_.reason = "its matrix is not proved to be semidefinite with free rows exact";
-      return;
-    }
-    std::vector<std::vector<double>> starts{j_.x};
-    if (known && j_.enclosure) starts.push_back(center_of(*j_.enclosure));
-    if (!known) starts.push_back(approximate_solution(problem_, {.start = j_.x}));
-    for (const std::vector<double>& start : starts) {
-      if (start.size() != j_.x.size()) continue;
-      auto found = every_solution(problem_, start, j_.x, *proof);
-      if (found && (!j_.every || found->energy < j_.every->energy)) j_.every = std::move(found);
-    }
-    if (!j_.every || known) return;
-    j_.rho = j_.every->rho;
-    j_.error = error_of(problem_, j_.x, u_, *j_.every);
-  }
-
   template <class Solution>
   double error_from(const Solution& solution) const {
     return error_of(problem_, j_.x, u_, solution);
@@ -171,47 +156,50 @@ class ContactCase {
   }
 
   void enclose() {
-    const bool right = j_.residual->backward_error() <= options_.tolerance;
-    const bool quick = !right && !options_.refine;
+    const bool right = j_.residual->backward_error() <= options_.tolerance, quick = !right && !options_.refine;
     const EnclosureOptions options = quick ? with_little_work(options_.enclosure) : options_.enclosure;
-    auto found = enclose_solution(problem_, j_.x, options);
-    if (auto* box = std::get_if<Enclosure>(&found)) {
-      if (right || !problem_.is_coulomb() || error_from(*box) <= contact_near) return take(std::move(*box));
-      far_ = std::move(*box);
-      found = NoEnclosure{"the solution that was found is too far from the answer", {}};
-    }
-    if (problem_.is_coulomb() && solve_exactly(right) && error_from(j_.exact) <= options_.tolerance) return;
-    if (const auto& failure = std::get<NoEnclosure>(found); failure.at_border) {
-      auto box = enclose_touching(problem_, j_.x, failure.contacts, options_.enclosure);
+    std::vector<double> start = quick ? improved_answer(problem_, j_.x, options_) : j_.x;
+    auto failure = enclose_from(start, options, right);
+    if (failure && far_ && start != j_.x) failure = enclose_from(j_.x, options, right);
+    if (!failure) return;
+    if (problem_.is_coulomb() && solve_exactly(start, right) && error_from(j_.exact) <= options_.tolerance) return;
+    if (failure->at_border) {
+      auto box = enclose_touching(problem_, j_.x, failure->contacts, options_.enclosure);
       if (box) return take(std::move(*box));
     }
-    const std::vector<double> start = right ? j_.x : improved_answer(problem_, j_.x, options_);
-    const bool converged = right || start != j_.x;
-    if (!right && converged) extra("a solution from an improved answer", [&] { enclose_near(start, options); });
-    if (j_.enclosure) return;
+    if (!right && !quick) {
+      start = improved_answer(problem_, j_.x, options_);
+      if (start != j_.x) extra("a solution from an improved answer", [&] { enclose_from(start, options, right); });
+      if (j_.enclosure) return;
+    }
     if (problem_.is_coulomb()) extra("forces inside of their cones", [&] { move_inside(start, right); });
     if (j_.enclosure) return;
-    const bool follows = problem_.is_coulomb() && (converged || options_.refine);
-    if (follows) extra("a solution along a path", [&] { follow(start); });
+    const bool follows = right || options_.refine || (start != j_.x && !far_);
+    if (follows && problem_.is_coulomb()) extra("a solution along a path", [&] { follow(start); });
     if (!j_.has_solution() && far_) take(*std::move(far_));
     if (j_.has_solution()) return;
-    auto& failure = std::get<NoEnclosure>(found);
-    j_.reason = std::move(failure.reason);
-    j_.contacts = std::move(failure.contacts);
+    j_.reason = std::move(failure->reason);
+    j_.contacts = std::move(failure->contacts);
   }
 
-  /// A solution at an improved answer; if it is far from the answer, others may be nearer.
-  void enclose_near(const std::vector<double>& start, const EnclosureOptions& options) {
+  /// Takes a solution that is found from there, unless others may be nearer to the answer.
+  std::optional<NoEnclosure> enclose_from(const std::vector<double>& start, const EnclosureOptions& options,
+                                          bool right) {
     auto found = enclose_solution(problem_, start, options);
-    auto* box = std::get_if<Enclosure>(&found);
-    if (box != nullptr && error_from(*box) <= contact_near) return take(std::move(*box));
-    if (box != nullptr) far_ = std::move(*box);
+    if (auto* failure = std::get_if<NoEnclosure>(&found)) return std::move(*failure);
+    auto& box = std::get<Enclosure>(found);
+    if (right || !problem_.is_coulomb() || error_from(box) <= contact_near) {
+      take(std::move(box));
+      return std::nullopt;
+    }
+    if (!far_ || error_from(box) < error_from(*far_)) far_ = std::move(box);
+    return NoEnclosure{"the solution that was found is too far from the answer", {}};
   }
 
   /// Where no enclosure is found, at a border between modes: the solution itself.
-  bool solve_exactly(bool right) {
-    Effort little(beyond_verdict());
-    auto solution = exact_solution_near(problem_, j_.x, right || is_complementarity(problem_) ? effort_ : little);
+  bool solve_exactly(const std::vector<double>& start, bool right) {
+    Effort little(beyond_);
+    auto solution = exact_solution_near(problem_, start, right || is_complementarity(problem_) ? effort_ : little);
     if (!solution) return false;
     j_.exact = std::move(solution->x);
     j_.undetermined = solution->undetermined;
@@ -222,7 +210,7 @@ class ContactCase {
   /// Where forces at the edge of their cones could be elsewhere. `start` has the velocities, and the forces are to be
   /// near the answer's.
   void move_inside(const std::vector<double>& start, bool right) {
-    Effort effort(std::min(options_.effort, (right ? 100 : 10) * beyond_verdict()));
+    Effort effort(std::min(options_.effort, (right ? 100 : 10) * beyond_));
     const bool improved = start != j_.x;
     const double rough = std::max(contact_near, 2 * j_.residual->backward_error());
     auto box = enclose_inside(problem_, start, right || improved ? options_.tolerance : rough, options_.enclosure,
@@ -233,14 +221,9 @@ class ContactCase {
     take(std::move(*box));
   }
 
-  /// The effort for what is looked for beyond a verdict, in proportion to the problem.
-  Work beyond_verdict() const {
-    return std::min(options_.effort, Work(4'000'000) + 4'000 * (problem_.A.entries() + problem_.size()));
-  }
-
   /// Where equations depend on each other up to rounding.
   void follow(const std::vector<double>& start) {
-    Effort effort(options_.refine ? options_.effort : std::min(options_.effort, 25 * beyond_verdict()));
+    Effort effort(options_.refine ? options_.effort : std::min(options_.effort, 25 * beyond_));
     auto box = solve_along_path(problem_, start, effort, answer_from_elsewhere);
     if (!box) return;
     j_.eta = velocity_distance(problem_, *box, j_.x);
@@ -250,13 +233,11 @@ class ContactCase {
   void exclude_others() {
     extra("whether it is the only solution", [&] { j_.unique_by = prove_unique(problem_, effort_); });
     if (j_.unique_by) return;
-    constexpr Work part = 20;
-    extra("another solution in a linear mode", [&] { look_in_linear_modes(problem_, options_.effort / part, j_); });
+    if (j_.error > options_.tolerance && !options_.refine) return;  // no verdict on it depends on another one
+    extra("another solution in a linear mode", [&] { look_in_linear_modes(problem_, Effort(10 * beyond_), j_); });
     if (!j_.other_exact.empty() || !j_.enclosure || !j_.enclosure->pinned.empty()) return;
     if (j_.enclosure->proof || j_.enclosure->system.size() > options_.others_up_to) return;
-    if (j_.error > options_.tolerance && !options_.refine) return;  // no verdict on it depends on another one
-    extra("another solution",
-          [&] { j_.other = another_solution(problem_, *j_.enclosure, {.effort = 5 * beyond_verdict()}); });
+    extra("another solution", [&] { j_.other = another_solution(problem_, *j_.enclosure, {.effort = beyond_}); });
   }
 
   const MixedProblem& problem_;
@@ -264,6 +245,7 @@ class ContactCase {
   const ContactJudgeOptions& options_;
   ContactJudgement& j_;
   Effort effort_;
+  const Work beyond_;
   std::optional<Enclosure> far_;  ///< a solution that is not near the answer
 };
 

@@ -29,7 +29,8 @@ struct ContactJudgeOptions {
   bool all = false;     ///< find all solutions, in space as well, with proof (all_in_space.hpp)
   bool refine = false;  ///< look for a solution near the answer even if that is wrong
   EnclosureOptions enclosure;
-  Work effort = 3'000'000'000;     ///< for theorems about all answers, and for exact solutions: a few seconds
+  static constexpr Work usual_effort = 3'000'000'000;
+  Work effort = usual_effort;      ///< for theorems about all answers, and for exact solutions: a few seconds
   std::size_t others_up_to = 200;  ///< unknowns of a mode up to which other solutions are looked for
   SearchProgress progress = {};    ///< of the search for all solutions
 };

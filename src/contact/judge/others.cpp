@@ -44,6 +44,13 @@ class KnownSolution {
 
 }  // namespace
 
+Work work_beyond_verdict(const MixedProblem& problem, Work effort) {
+  constexpr Work least = 200'000, of_entry = 4'000, many = 2'500, usual = ContactJudgeOptions::usual_effort;
+  const Work entries = problem.A.entries() + problem.size();
+  const Work work = least + of_entry * entries * std::min(entries, many) / many;
+  return effort > usual ? times(work, effort / usual) : std::min(work, effort);
+}
+
 EnclosureOptions with_little_work(EnclosureOptions options) {
   constexpr std::size_t large = 1500;
   constexpr int few = 10, few_dependent = 2;
@@ -82,28 +89,50 @@ std::optional<BorderSolution> exact_solution_near(const MixedProblem& problem, s
   return solution;
 }
 
-void look_in_linear_modes(const MixedProblem& problem, Work allowed, ContactJudgement& judgement) {
+void bound_every_solution(const MixedProblem& problem, std::span<const double> u, bool known, Effort& effort,
+                          ContactJudgement& j) {
+  auto proof = prove_monotone(problem, effort);
+  if (!proof) {
+    if (!known && j.reason.empty()) j.reason = "its matrix is not proved to be semidefinite with free rows exact";
+    return;
+  }
+  std::vector<std::vector<double>> starts{j.x};
+  if (known && j.enclosure) starts.push_back(center_of(*j.enclosure));
+  if (!known) starts.push_back(approximate_solution(problem, {.start = j.x}));
+  for (const std::vector<double>& start : starts) {
+    if (start.size() != j.x.size()) continue;
+    auto found = every_solution(problem, start, j.x, *proof);
+    if (found && (!j.every || found->energy < j.every->energy)) j.every = std::move(found);
+  }
+  if (!j.every || known) return;
+  j.rho = j.every->rho;
+  j.error = error_of(problem, j.x, u, *j.every);
+}
+
+void look_in_linear_modes(const MixedProblem& problem, Effort effort, ContactJudgement& judgement) try {
   LinearSearch& search = judgement.linear_modes.emplace(LinearSearch{linear_modes(problem, Slides::none), false});
   const Work free = problem.free, components = problem.size() - free;
-  const Work elimination = times(times(free, free), times(free, 8));
-  if (plus(elimination, times(search.modes, components * components)) > allowed) return;
+  constexpr Work least = 20;  // of an entry
+  const auto can_try = [&](Work modes) { return effort.allows(times(modes, least * components * components)); };
+  if (!can_try(search.modes)) return;
+  effort.spend(times(times(free, free), times(free, 8)));
   const auto contacts = eliminated(problem);
   if (!contacts) return;
-  const auto can_try = [&](Slides slides) {
-    return work_of_linear_modes(problem, contacts->problem, slides) <= allowed;
-  };
-  if (!can_try(Slides::none)) return;
-  const Slides slides = can_try(Slides::axes) ? Slides::axes : Slides::none;
   const KnownSolution known(problem, judgement);
-  std::vector<Rational> other;
-  each_linear_solution(problem, contacts->problem, slides, std::span(judgement.x).subspan(problem.free),
-                       [&](const std::vector<Rational>& r) {
-                         std::vector<Rational> x = contacts->with_free(r);
-                         if (known.is_not(x)) other = std::move(x);
-                         return other.empty();
-                       });
-  search = {linear_modes(problem, slides), true};
-  judgement.other_exact = std::move(other);
+  const ConeMode* mode = judgement.enclosure ? &judgement.enclosure->system.mode() : nullptr;
+  for (const Slides slides : {Slides::none, Slides::axes}) {
+    const Work modes = linear_modes(problem, slides);
+    if ((search.tried && modes == search.modes) || !can_try(modes)) return;
+    each_linear_solution(problem, contacts->problem, slides, std::span(judgement.x).subspan(problem.free), mode, effort,
+                         [&](const std::vector<Rational>& r) {
+                           std::vector<Rational> x = contacts->with_free(r);
+                           if (known.is_not(x)) judgement.other_exact = std::move(x);
+                           return judgement.other_exact.empty();
+                         });
+    search = {modes, true};
+    if (!judgement.other_exact.empty()) return;
+  }
+} catch (const TooMuchWork&) {  // what was found before stays
 }
 
 std::optional<Enclosure> enclose_inside(const MixedProblem& problem, std::span<const double> x, double near,

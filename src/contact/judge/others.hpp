@@ -6,6 +6,10 @@
 
 namespace slipproof {
 
+/// The effort for what is looked for beyond a verdict, in proportion to the problem: as much as it is solved with; more
+/// if more than the usual effort is allowed. Problems with few contacts are solved faster than in proportion.
+Work work_beyond_verdict(const MixedProblem& problem, Work effort);
+
 /// Leaves out blocks of which a dense inverse would take longer than all the rest; those with sparse factors stay. Few
 /// modes are tried.
 EnclosureOptions with_little_work(EnclosureOptions options);
@@ -24,11 +28,16 @@ std::vector<double> improved_answer(const MixedProblem& problem, const std::vect
 std::optional<BorderSolution> exact_solution_near(const MixedProblem& problem, std::span<const double> x,
                                                   Effort& effort);
 
+/// What follows of every solution of a convex law, around the one that is `known`, or around the answer with its forces
+/// improved. `u` are the velocities that it gives, or empty. Throws TooMuchWork.
+void bound_every_solution(const MixedProblem& problem, std::span<const double> u, bool known, Effort& effort,
+                          ContactJudgement& judgement);
+
 /// Looks in all modes whose equations are linear (exact/linear_modes.hpp) for a solution that is not the known one:
 /// `other_exact`. Where the known one leaves forces undetermined, only one with other velocities counts. Sets
-/// `linear_modes`, whether they were tried: they are not if that is more work than `allowed`. Requires Coulomb's law
-/// and a known solution.
-void look_in_linear_modes(const MixedProblem& problem, Work allowed, ContactJudgement& judgement);
+/// `linear_modes`, whether they were tried: they are not if that is too much work. Requires Coulomb's law and a known
+/// solution.
+void look_in_linear_modes(const MixedProblem& problem, Effort effort, ContactJudgement& judgement);
 
 /// Encloses a solution that has an answer's velocities, up to `near` of their size, and its forces moved inside of
 /// their cones (forces_inside()), by little if that suffices; near the forces of `toward`, if that is given. Nothing if

@@ -3,6 +3,8 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "contact/enclosure/residual.hpp"
 #include "contact/enclosure/sizes.hpp"
@@ -82,18 +84,23 @@ struct Nearness {
 };
 
 /// A point of x + open directions in the cones with their apex at `margin`, to a quarter of it: by the alternating
-/// direction method of multipliers. Nothing if none is found. Throws TooMuchWork.
+/// direction method of multipliers. Nothing if none is found: where there is none, the distance that is left soon stays
+/// as it is. Throws TooMuchWork.
 std::optional<VectorXd> point_inside(const OpenDirections& open, const std::vector<ForceCone>& cones,
                                      const VectorXd& start, double margin, const std::optional<Nearness>& near,
                                      Effort& effort) {
-  constexpr int most_steps = 5'000;
+  constexpr int most_steps = 5'000, steps = 100;
+  constexpr double slow = 0.9;
+  double before = std::numeric_limits<double>::infinity();
   VectorXd x = start, s = start, lambda = VectorXd::Zero(start.size());
   for (int i = 0; i < most_steps; ++i) {
     effort.spend(open.work());
     s = x + lambda;
     if (near) near->project(cones, s);
     project_on_cones(cones, s, margin);
-    if ((x - s).lpNorm<Eigen::Infinity>() <= margin / 4) return x;
+    const double left = (x - s).lpNorm<Eigen::Infinity>();
+    if (left <= margin / 4) return x;
+    if (i % steps == 0 && !(left <= slow * std::exchange(before, left))) break;
     lambda += x - s;
     x = start + open.nearest(s - lambda - start);
     if (!x.allFinite()) break;
