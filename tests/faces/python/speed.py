@@ -95,15 +95,14 @@ def timed(work, count):
 
 
 def batches():
-    print(f"{'contacts':>8} {'solver':>8} {'loop':>8} {'one call':>8} {'effort 1e6':>10} {'all cores':>9}  verdicts")
+    print(f"{'contacts':>8} {'solver':>8} {'loop':>8} {'one call':>8} {'all cores':>9}  verdicts")
     for contacts, count in ((1, 2000), (2, 300), (3, 100), (4, 60)):
         W, q, mu = problems(count, contacts)
         solver, _, z = timed(lambda: answers(W, q, mu), count)
         loop, _, _ = timed(lambda: [slipproof.certify(W[k], q[k], z[k], mu, dimension=3).verdict for k in range(count)], count)
         alone, by_clock, verdicts = timed(lambda: slipproof.certify(W, q, z, mu, dimension=3, threads=1), count)
-        brief, _, _ = timed(lambda: slipproof.certify(W, q, z, mu, dimension=3, threads=1, effort=10**6), count)
         _, every, _ = timed(lambda: slipproof.certify(W, q, z, mu, dimension=3), count)
-        print(f"{contacts:8} {solver:8.0f} {loop:8.0f} {alone:8.0f} {brief:10.0f} {by_clock / every:9.1f}  {verdicts.counts()}", flush=True)
+        print(f"{contacts:8} {solver:8.0f} {loop:8.0f} {alone:8.0f} {by_clock / every:9.1f}  {verdicts.counts()}", flush=True)
 
 
 if __name__ == "__main__":
