@@ -232,4 +232,19 @@ TEST_CASE("more modes than the effort allows are not tried, which is told") {
   CHECK_FALSE(j.linear_modes->tried);
 }
 
+TEST_CASE("an effort above the usual one tries modes that are left out by default") {
+  const std::size_t n = 27;
+  std::vector<double> W(n * n, 0), q, r;
+  for (std::size_t i = 0; i < n; ++i) {
+    W[i * n + i] = 1;
+    q.push_back(i % 3 == 0 ? -1 : 0);
+    r.push_back(i % 3 == 0 ? 1 : 0);
+  }
+  const MixedProblem p = problem_of(3, W, q, 0.5);
+  ContactJudgeOptions options;
+  CHECK_FALSE(judge_contacts(p, r, {}, options).linear_modes->tried);
+  options.effort = 5 * ContactJudgeOptions::usual_effort;
+  CHECK(judge_contacts(p, r, {}, options).linear_modes->tried);
+}
+
 }  // namespace linear_modes_by_hand
