@@ -142,7 +142,7 @@ def arguments_of(words):
     parser.add_argument("--only", default="", metavar="TEXT", help="only scenes whose CLASS/NAME contains this")
     parser.add_argument("--no-thresholds", action="store_true", help="a quick look: no bisection")
     parser.add_argument("--answers", type=Path, default=HERE / "answers", help="where ENGINE.jsonl are written")
-    parser.add_argument("--limit", type=float, default=20, help="seconds for one answer")
+    parser.add_argument("--limit", type=float, default=20, help="seconds of processor time for one answer")
     parser.add_argument("--jobs", type=int, default=2, help="engines that are asked at the same time")
     parser.add_argument("--table", type=Path, default=HERE / "engines.toml", help="the engines")
     return parser.parse_args(words)
