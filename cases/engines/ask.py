@@ -5,7 +5,8 @@ import argparse
 import datetime
 import json
 import sys
-from concurrent.futures import ThreadPoolExecutor
+import time
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
 from asking.engines import HERE, Asked, Failed, NotAsked, table
@@ -98,14 +99,15 @@ class Interview:
 
 def interview(engine, arguments, scenes, date):
     """Writes the answers of an engine, and gives a line of the summary."""
+    begun = time.monotonic()
     try:
         engine.prepare(arguments.folder)
     except NotAsked as reason:
-        return f"{engine.name:12} not asked: {reason}"
+        return f"{engine.name:15} not asked: {reason}"
     lines = list(Interview(engine, arguments, date).lines(scenes))
     file = arguments.answers / f"{engine.name}.jsonl"
     write(file, lines + kept_of(file, lines, arguments.scenes))
-    return f"{engine.name:12} {counted(lines)}"
+    return f"{engine.name:15} {time.monotonic() - begun:5.0f} s: {counted(lines)}"
 
 
 def kept_of(file, lines, folder):
@@ -140,7 +142,7 @@ def arguments_of(words):
     parser.add_argument("--only", default="", metavar="TEXT", help="only scenes whose CLASS/NAME contains this")
     parser.add_argument("--no-thresholds", action="store_true", help="a quick look: no bisection")
     parser.add_argument("--answers", type=Path, default=HERE / "answers", help="where ENGINE.jsonl are written")
-    parser.add_argument("--limit", type=float, default=20, help="seconds for one answer")
+    parser.add_argument("--limit", type=float, default=20, help="seconds of processor time for one answer")
     parser.add_argument("--jobs", type=int, default=2, help="engines that are asked at the same time")
     parser.add_argument("--table", type=Path, default=HERE / "engines.toml", help="the engines")
     return parser.parse_args(words)
@@ -162,10 +164,10 @@ def main(words):
         return 3
     date = datetime.date.today().isoformat()
     asked = [engines[name] for name in arguments.engines or engines]
-    print(f"{len(scenes)} scenes; answered/asked:")
+    print(f"{len(scenes)} scenes; engine, time, answered/asked:", flush=True)
     with ThreadPoolExecutor(arguments.jobs) as crew:
-        for line in crew.map(lambda engine: interview(engine, arguments, scenes, date), asked):
-            print(line, flush=True)
+        for done in as_completed([crew.submit(interview, engine, arguments, scenes, date) for engine in asked]):
+            print(done.result(), flush=True)
     return 0
 
 

@@ -4,8 +4,9 @@
 // pushes bodies out of their plane, and constraints that say so again would make the matrix singular. Plane2D joints
 // hold what may not turn or not move. Contacts are a little deep, as they are in programs. At depth 0 Dantzig's method
 // meets exact ties, such as the contact of two boxes that fall alike, gives up ("LCP internal error, s <= 0") and
-// leaves all forces 0. With the argument `shapes` contacts are those that ODE finds between the whole shapes of a body
-// and the floor.
+// leaves all forces 0. Sweeps take the constraints in random orders; each scene begins with one seed, so that answers
+// do not depend on the scenes before. With the argument `shapes` contacts are those that ODE finds between the whole
+// shapes of a body and the floor.
 #include <ode/ode.h>
 
 #include <deque>
@@ -42,6 +43,7 @@ class Scene {
   Answer step(bool quick) {
     Answer answer;
     if (quick && q_.iterations > 0) dWorldSetQuickStepNumIterations(world_, q_.iterations);
+    dRandSetSeed(0);
     const auto make = [&] {
       find_contacts();
       quick ? dWorldQuickStep(world_, q_.step) : dWorldStep(world_, q_.step);

@@ -9,6 +9,7 @@ import subprocess
 import sys
 import tempfile
 import threading
+import time
 import tomllib
 from pathlib import Path
 
@@ -115,8 +116,9 @@ class Asked:
 
     def start(self):
         self.said = tempfile.TemporaryFile("w+")
+        # Threads of OpenBLAS wait for each other by spinning, which takes long where others use the processors, too.
         self.process = subprocess.Popen(self.engine.command, cwd=self.engine.folder, stdin=subprocess.PIPE,
-                                        stdout=subprocess.PIPE, stderr=self.said)
+                                        stdout=subprocess.PIPE, stderr=self.said, env=os.environ | {"OPENBLAS_NUM_THREADS": "1"})
         self.rest = b""
 
     def answer(self, question):
@@ -145,10 +147,24 @@ class Asked:
             self.stop()
             raise Failed(f"no answer in {self.limit:g} s") from None
 
+    def worked(self):
+        """Seconds of processor time that the adapter has used."""
+        after_name = Path(f"/proc/{self.process.pid}/stat").read_text().rsplit(")", 1)[1].split()
+        return sum(map(int, after_name[11:13])) / os.sysconf("SC_CLK_TCK")
+
     def line(self):
+        """Its next line. Raises TimeoutError after the limit of processor time, which does not depend on what else the
+        machine does, or as long without any."""
+        begun = last = self.worked()
+        since = time.monotonic()
         while b"\n" not in self.rest:
-            if not select.select([self.process.stdout], [], [], self.limit)[0]:
-                raise TimeoutError
+            if not select.select([self.process.stdout], [], [], min(self.limit, 1))[0]:
+                now = self.worked()
+                if now > last:
+                    last, since = now, time.monotonic()
+                if now - begun >= self.limit or time.monotonic() - since >= self.limit:
+                    raise TimeoutError
+                continue
             more = os.read(self.process.stdout.fileno(), 1 << 16)
             if not more:
                 raise BrokenPipeError

@@ -1,16 +1,53 @@
 """Scenes as questions: exported by slipproof at any value of a parameter."""
 
+import contextlib
 import functools
 import json
 import os
 import shutil
 import subprocess
-import tempfile
+import threading
 from fractions import Fraction
 from pathlib import Path
 
 from .space import WorldInSpace, own_shapes
 from .world import Refused, step_of, world
+
+
+running = threading.local()  # the exporters of the scene that a thread asks about, by their form
+
+
+class Exporter:
+    """`slipproof export --each` of a scene, which starts once for all values at which the scene is asked."""
+
+    def __init__(self, file, form, program):
+        self.command, self.folder = [program, "export", file.name, *[form] * bool(form), "--each"], file.parent
+        self.process = None
+
+    def at(self, settings):
+        """The scene at NAME=VALUE settings. Raises Refused."""
+        if not self.process:
+            self.process = subprocess.Popen(self.command, cwd=self.folder, stdin=subprocess.PIPE,
+                                            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        with contextlib.suppress(BrokenPipeError):  # it has refused the scene
+            self.process.stdin.write(" ".join(settings) + "\n")
+            self.process.stdin.flush()
+        line = self.process.stdout.readline()
+        if not line:
+            raise Refused(f"slipproof export: {self.ended().strip()}")
+        return json.loads(line)
+
+    def ended(self):
+        """What it says to standard error, at its end."""
+        process, self.process = self.process, None
+        with contextlib.suppress(BrokenPipeError):
+            process.stdin.close()
+        with process:
+            return process.stderr.read()
+
+    def __del__(self):
+        if self.process:
+            self.ended()
 
 
 class Scene:
@@ -61,14 +98,11 @@ class Scene:
 
     @functools.lru_cache(maxsize=65536)
     def exported(self, form, *settings):
-        with tempfile.TemporaryDirectory() as folder:
-            file = Path(folder) / "scene.json"
-            words = [form] * bool(form) + [word for setting in settings for word in ("--set", setting)]
-            told = subprocess.run([self.program, "export", self.file.name, *words, "-o", str(file)],
-                                  cwd=self.file.parent, capture_output=True, text=True)
-            if told.returncode:
-                raise Refused(f"slipproof export: {told.stderr.strip()}")
-            return json.loads(file.read_text())
+        if getattr(running, "file", None) != self.file:
+            running.file, running.exporters = self.file, {}
+        if form not in running.exporters:
+            running.exporters[form] = Exporter(self.file, form, self.program)
+        return running.exporters[form].at(settings)
 
     def question(self, iterations, *settings, shapes=False):
         """A line for an adapter, with the shapes of the body that stands on the floor. Raises Refused."""

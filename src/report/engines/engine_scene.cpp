@@ -38,22 +38,24 @@ void add_picture(const Element& top, const EnginePageInput&, const EngineScene& 
   add_mechanism(figure, scene.scene, first, scene.scene.name);
   figure.add("figcaption").text(first ? "With the forces of its first motion." : "It has no motion.");
 }
-/// A file beside the page, with all motions.
+/// A file beside the page; on a narrow screen it is scrolled.
+void add_picture(const Element& top, const EnginePageInput& input, const EngineScene& scene, const std::string& svg,
+                 const std::string& caption) {
+  input.write(scene.name + ".svg", svg);
+  const Element figure = top.add("figure", "plot").set("tabindex", 0);
+  figure.add("img").set("src", scene.name.substr(scene.name.find('/') + 1) + ".svg").set("alt", scene.scene.name);
+  figure.add("figcaption").text(caption);
+}
 void add_picture(const Element& top, const EnginePageInput& input, const EngineScene& scene,
                  const ExpectedInSpace& answer) {
-  input.write(scene.name + ".svg", space_motions_svg_file(answer.solved, view_direction(usual_view)));
-  const Element figure = top.add("figure", "plot");
-  figure.add("img").set("src", scene.name.substr(scene.name.find('/') + 1) + ".svg").set("alt", scene.scene.name);
-  figure.add("figcaption").text("All motions, each with its forces.");
+  add_picture(top, input, scene, space_motions_svg_file(answer.solved, view_direction(usual_view)),
+              "All motions, each with its forces.");
 }
-
 void add_picture(const Element& top, const EnginePageInput& input, const EngineScene& scene,
                  const ExpectedImpact& impact) {
   const SolvedImpact& own = impact.laws.front();
-  input.write(scene.name + ".svg", impact_svg_file(own, view_direction(usual_view)));
-  const Element figure = top.add("figure", "plot");
-  figure.add("img").set("src", scene.name.substr(scene.name.find('/') + 1) + ".svg").set("alt", scene.scene.name);
-  figure.add("figcaption").text("Before and after, by " + own.law_words() + ".");
+  add_picture(top, input, scene, impact_svg_file(own, view_direction(usual_view)),
+              "Before and after, by " + own.law_words() + ".");
 }
 
 template <class Answer>

@@ -1,6 +1,7 @@
 // import and export, from the shipped files to an answer.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "support/run_program.hpp"
@@ -121,4 +122,31 @@ TEST_CASE("a scene's bodies are exported on one line, with other values") {
   fails({scene, "--set", "mu=x"}, 2, "--set");
   fails({scene, "--set", "mo=1"}, 2, "--set");
   fails({scene, "--set", "h=-1"}, 2, "expected h > 0");
+}
+
+TEST_CASE("a scene is exported for each line of standard input") {
+  const TemporaryFolder folder;
+  const std::string out = folder.path() / "scene.json";
+  const std::string scene = SLIPPROOF_SOURCE_DIR "/cases/mechanisms/asked/scenes/block-pushed.toml";
+  for (const bool bodies : {true, false}) {
+    const auto told = [&](std::vector<std::string> arguments, const std::string& input = "") {
+      arguments.insert(arguments.begin(), {"export", scene});
+      if (bodies) arguments.push_back("--bodies");
+      return run(arguments, "slipproof", input);
+    };
+    CHECK(told({"--set", "m=2", "--load", "3", "-o", out}).exit_code == 0);
+    const Json first = Json::parse(read_file(out));
+    CHECK(told({"--set", "mu=1/4", "--set", "h=1", "--set", "m=2", "--load", "3", "-o", out}).exit_code == 0);
+    const auto each = told({"--each", "--set", "m=2", "--load", "3"}, "\nmu=1/4 h=1\n");
+    CHECK(each.exit_code == 0);
+    const std::size_t end = each.out.find('\n');
+    CHECK(Json::parse(each.out.substr(0, end)) == first);
+    CHECK(Json::parse(each.out.substr(end + 1)) == Json::parse(read_file(out)));
+    const auto stopped = told({"--each", "--load", "3"}, "\nmu\n\n");
+    CHECK(stopped.exit_code == 2);
+    CHECK(std::count(stopped.out.begin(), stopped.out.end(), '\n') == 1);
+    CHECK(stopped.err.find("expected NAME=VALUE") != std::string::npos);
+    CHECK(told({}).exit_code == 2);
+    CHECK(told({"--each", "-o", out}).exit_code == 2);
+  }
 }

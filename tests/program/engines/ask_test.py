@@ -10,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from fractions import Fraction
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -149,6 +150,14 @@ class Scenes(unittest.TestCase):
                     self.assertAlmostEqual(quantity(built, values, i, "gap"), 0, 6, (name, i))
                 if state == "stick":
                     self.assertAlmostEqual(quantity(built, values, i, "slip"), 0, 6, (name, i))
+
+    def test_scenes_are_exported_at_any_values(self):
+        """Also after one that is refused, in each form."""
+        scene = self.scenes["thresholds/ball-rolls-on-slope"]
+        for exported, friction in ((scene.bodies, lambda one: one["contacts"][0]["friction"]), (scene.problem, lambda one: one["mu"][0])):
+            with self.assertRaisesRegex(Refused, "slipproof export: --set: unknown parameter 'no'"):
+                exported("no=1")
+            self.assertEqual([float(Fraction(friction(exported(f"mu={value}")))) for value in (0.25, 0.5)], [0.25, 0.5])
 
     def opposes(self, built, values, number, friction, largest):
         """Whether friction points against a slip from rest."""

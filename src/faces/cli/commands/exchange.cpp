@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <iostream>
+#include <iterator>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 
 #include "base/input/diagnostic.hpp"
@@ -129,7 +131,7 @@ void add_import(CLI::App& app, int& exit_code) {
 struct ExportArguments {
   std::string scene, output, load;
   std::vector<std::string> set;
-  bool bodies = false;
+  bool bodies = false, each = false;
 };
 
 /// NAME=VALUE
@@ -141,36 +143,47 @@ std::pair<std::string, Rational> setting(const std::string& text) {
   return {text.substr(0, sign), number_of("--set", text.substr(sign + 1))};
 }
 
-MechanismScene scene_of(const ExportArguments& arguments) {
-  const MechanismScene scene = read_scene(arguments.scene, Dimensions::any);
+MechanismScene at_settings(const MechanismScene& scene, const std::vector<std::string>& settings,
+                           const std::string& load) {
   std::vector<std::pair<std::string, Rational>> values;
-  for (const std::string& one : arguments.set) values.push_back(setting(one));
+  for (const std::string& one : settings) values.push_back(setting(one));
   try {
-    return at_load(with_values(scene, values), arguments.load);
+    return at_load(with_values(scene, values), load);
   } catch (const std::invalid_argument& error) {
     throw CLI::ValidationError("--set", error.what());
   }
 }
 
+/// The text, and how many contacts it has.
+std::pair<std::string, std::size_t> exported(const MechanismScene& scene, bool bodies) {
+  if (bodies) return {bodies_json(scene) + '\n', scene.mechanism.bodies->contacts.size()};
+  const GlobalProblem problem = global_problem(scene);
+  return {to_json(problem), problem.contacts.size()};
+}
+
 void export_scene(const ExportArguments& arguments) {
   Inputs inputs;
   inputs.add(arguments.scene);
-  const MechanismScene scene = scene_of(arguments);
+  const MechanismScene scene = at_settings(read_scene(arguments.scene, Dimensions::any), arguments.set, arguments.load);
   inputs.add(scene.mechanism.file);
   const OutputFile file(arguments.output, inputs);
   expect_ending("--output", arguments.output, {".json"});
-  std::string text;
-  std::size_t contacts = 0;
-  if (arguments.bodies) {
-    text = bodies_json(scene) + '\n';
-    contacts = scene.mechanism.bodies->contacts.size();
-  } else {
-    const GlobalProblem problem = global_problem(scene);
-    text = to_json(problem);
-    contacts = problem.contacts.size();
-  }
+  const auto [text, contacts] = exported(scene, arguments.bodies);
   file.write(text);
   print(fmt::format("s EXPORTED {} contacts {}\n", arguments.output, contacts));
+}
+
+/// Answers each line of standard input at once, as who asks may choose the next settings by the answer.
+void export_each(const ExportArguments& arguments) {
+  const MechanismScene scene = read_scene(arguments.scene, Dimensions::any);
+  for (std::string line; std::getline(std::cin, line);) {
+    std::istringstream words(line);
+    std::vector<std::string> settings = arguments.set;
+    settings.insert(settings.end(), std::istream_iterator<std::string>(words), {});
+    std::string text = exported(at_settings(scene, settings, arguments.load), arguments.bodies).first;
+    std::erase(text, '\n');  // of the problem's JSON, whose strings have none
+    print(text + '\n');
+  }
 }
 
 void add_export(CLI::App& app, int& exit_code) {
@@ -178,7 +191,8 @@ void add_export(CLI::App& app, int& exit_code) {
   CLI::App& command =
       *app.add_subcommand("export", "Write the contact problem of a scene, for certify and other solvers");
   command.add_option("SCENE", options->scene, "Scene file (TOML)")->required();
-  command.add_option("-o,--output", options->output, "Where the problem, or the scene, goes (JSON)")->required();
+  CLI::Option* output =
+      command.add_option("-o,--output", options->output, "Where the problem, or the scene, goes (JSON)");
   add_load_option(command, options->load);
   command
       .add_option("--set", options->set,
@@ -188,9 +202,15 @@ void add_export(CLI::App& app, int& exit_code) {
       ->expected(1);
   command.add_flag("--bodies", options->bodies,
                    "Write the bodies, contacts, joints and forces in numbers, for physics engines, on one line");
+  command
+      .add_flag("--each", options->each,
+                "For each line of standard input, NAME=VALUE or several with blanks between them, write to standard "
+                "output, on one line, in place of a file")
+      ->excludes(output);
   add_examples(command, {"cases/ambiguous.toml -o problem.json"});
-  command.callback([options, &exit_code] {
-    export_scene(*options);
+  command.callback([options, output, &exit_code] {
+    if (!options->each && !*output) throw CLI::RequiredError("--output or --each");
+    options->each ? export_each(*options) : export_scene(*options);
     exit_code = success;
   });
 }
