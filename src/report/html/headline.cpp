@@ -26,6 +26,8 @@ bool can_be_drawn(const Claim& claim, const ClaimResult& result) {
   return e && is_about_motions(claim) && e->motions && !e->motions->motions.empty() && has_picture(e->scene.mechanism);
 }
 
+constexpr std::string_view arxiv = "arXiv:";
+
 /// How long the name is that a link of this kind begins with, as `2105.00851`.
 std::size_t name_length(std::string_view text) {
   std::size_t length = 0;
@@ -70,35 +72,32 @@ std::string worst_motions_svg(const ClaimResult& worst) {
   return motions_svg_file(worst.counterexample->scene, *worst.counterexample->motions);
 }
 
+Reference find_reference(std::string_view text) {
+  constexpr std::array<std::array<std::string_view, 2>, 2> places{
+      {{arxiv, "https://arxiv.org/abs/"}, {"doi:", "https://doi.org/"}}};
+  Reference first{text.size(), {}, {}};
+  for (const auto& [before, site] : places) {
+    for (std::size_t at = text.find(before); at < first.begin; at = text.find(before, at + 1)) {
+      const std::size_t from = at + before.size(), length = name_length(text.substr(from));
+      if (length == 0) continue;
+      first = {at, text.substr(at, before.size() + length), std::string(site).append(text.substr(from, length))};
+    }
+  }
+  return first;
+}
+
 void add_reference(const Element& parent, std::string_view reference) {
-  struct Place {
-    std::string_view before, address;
-  };
-  constexpr std::array<Place, 2> places{{{"arXiv:", "https://arxiv.org/abs/"}, {"doi:", "https://doi.org/"}}};
   while (!reference.empty()) {
-    std::size_t first = reference.npos;
-    const Place* place = nullptr;
-    for (const Place& one : places) {
-      const std::size_t at = reference.find(one.before);
-      if (at < first) first = at, place = &one;
-    }
-    parent.text(reference.substr(0, first));
-    if (place == nullptr) return;
-    const std::string_view from = reference.substr(first);
-    const std::size_t length = name_length(from.substr(place->before.size()));
-    const std::string name(from.substr(place->before.size(), length));
-    const std::string_view shown = from.substr(0, place->before.size() + length);
-    if (length == 0) {
-      parent.text(shown);
-    } else {
-      parent.add("a").set("href", std::string(place->address) + name).text(shown);
-      if (place == places.begin()) {
-        parent.text(" (");
-        parent.add("a").set("href", "https://doi.org/10.48550/arXiv." + name).text("DOI");
-        parent.text(")");
-      }
-    }
-    reference = from.substr(shown.size());
+    const Reference found = find_reference(reference);
+    parent.text(reference.substr(0, found.begin));
+    reference.remove_prefix(found.begin + found.text.size());
+    if (found.text.empty()) continue;
+    parent.add("a").set("href", found.address).text(found.text);
+    if (!found.text.starts_with(arxiv)) continue;
+    const std::string name(found.text.substr(arxiv.size()));
+    parent.text(" (");
+    parent.add("a").set("href", "https://doi.org/10.48550/arXiv." + name).text("DOI");
+    parent.text(")");
   }
 }
 

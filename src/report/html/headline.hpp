@@ -1,6 +1,7 @@
 // What a reader sees first of a paper: the worst finding with its picture, and where the paper can be read.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -18,6 +19,16 @@ void add_worst_motions(const Element& parent, const ClaimResult& worst);
 
 /// The same as an SVG file of its own.
 std::string worst_motions_svg(const ClaimResult& worst);
+
+/// A reference in a text, as `arXiv:2105.00851` or `doi:10.1000/182`, where it begins, and its address.
+struct Reference {
+  std::size_t begin = 0;
+  std::string_view text;
+  std::string address;
+};
+
+/// The first reference; if there is none, its text and address are empty, and it begins at the end.
+Reference find_reference(std::string_view text);
 
 /// Adds a reference; `arXiv:2105.00851` and `doi:10.1000/182` in it are links, the first with its DOI.
 void add_reference(const Element& parent, std::string_view reference);
