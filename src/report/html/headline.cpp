@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "mechanics/mechanism/words.hpp"
 #include "report/papers/explain.hpp"
 #include "report/picture/motions_svg.hpp"
 
@@ -54,18 +55,24 @@ const ClaimResult* worst_refuted(const ClaimsFile& file, const VerifyResult& res
   return worst;
 }
 
+void add_motion(const Element& row, const MechanismScene& scene, const MotionAtLoad& motion, const CommonLook& look) {
+  const std::string modes = equal_modes(motion.all_modes());
+  const Element box = row.add("div", "motion");
+  const Element heading = box.add("p", "motion-name");
+  heading.add("b").text(modes);
+  if (!motion.strict()) heading.text(" (boundary)");
+  if (!has_picture(scene.mechanism)) return;
+  box.set("tabindex", 0).set("role", "group").set("aria-label", modes);  // it scrolls where the page is narrow
+  LabelBox seen;
+  add_mechanism(box, scene, &motion, "The motion " + modes + ", with its forces", look, &seen)
+      .set("style", fmt::format("--natural-width:{:.0f}px", seen.right - seen.left));
+}
+
 void add_worst_motions(const Element& parent, const ClaimResult& worst) {
   const Counterexample& e = *worst.counterexample;
   const CommonLook look = common_look(e.scene, e.motions->motions);
   const Element row = parent.add("div", "motions");
-  for (const MotionAtLoad& motion : e.motions->motions) {
-    const std::string modes = modes_text(motion);
-    const Element box = row.add("div", "motion").set("tabindex", 0).set("role", "group").set("aria-label", modes);
-    box.add("p", "motion-name").add("b").text(modes);
-    LabelBox seen;
-    add_mechanism(box, e.scene, &motion, "The motion " + modes + ", with its forces", look, &seen)
-        .set("style", fmt::format("--natural-width:{:.0f}px", seen.right - seen.left));
-  }
+  for (const MotionAtLoad& motion : e.motions->motions) add_motion(row, e.scene, motion, look);
 }
 
 std::string worst_motions_svg(const ClaimResult& worst) {

@@ -7,12 +7,16 @@
 
 #include "claims/verify/verify.hpp"
 #include "report/markup/element.hpp"
+#include "report/picture/mechanism_svg.hpp"
 
 namespace slipproof {
 
 /// The claim that shows the worst finding: of the claims that are refuted before any repair, with motions that can be
 /// drawn, the one with the worst grade, then with the most motions, then the first. Null if there is none.
 const ClaimResult* worst_refuted(const ClaimsFile& file, const VerifyResult& result);
+
+/// Adds a motion with its forces, if the mechanism has a picture, at the size at which all letters can be read.
+void add_motion(const Element& row, const MechanismScene& scene, const MotionAtLoad& motion, const CommonLook& look);
 
 /// Draws the motions of its counterexample side by side. Needs picture_style() in the page.
 void add_worst_motions(const Element& parent, const ClaimResult& worst);
