@@ -37,7 +37,7 @@ int report_engines(const std::filesystem::path& folder, const ReportArguments& o
   write_engine_pages(results, folder.generic_string(), SLIPPROOF_VERSION, explorer,
                      [&](const auto& name, const auto& html) {
                        pages.write(name, html);
-                       ++count;
+                       count += name.ends_with(".html") ? 1 : 0;
                      });
   print(options.common.json ? engine_table_json(results) : fmt::format("s REPORTED {} {} pages\n", options.out, count));
   return success;
