@@ -13,6 +13,7 @@ import re
 import shutil
 import subprocess
 import sys
+import unicodedata
 
 import yaml
 from mkdocs.commands.build import build
@@ -138,22 +139,32 @@ def navigation(pages, sections):
     return [{section: papers if entries == "papers" else entries} for section, entries in sections.items()]
 
 
+def plain(text):
+    """A text without its accents."""
+    return "".join(c for c in unicodedata.normalize("NFD", text) if not unicodedata.combining(c))
+
+
 def carry_search(site, project):
-    """The index and the worker of the search as a script, without the pages that only show files."""
+    """The index and the worker of the search as a script, without the pages that only show files. Words with accents stand
+    in the index without them, too: Painlevé is found as painleve."""
     with open(os.path.join(site, "search/search_index.json"), encoding="utf-8") as file:
         index = json.load(file)
     found = {re.sub("README$", "index", page.removesuffix(".md")) + ".html" for page in project}
     index["docs"] = [entry for entry in index["docs"] if entry["location"].partition("#")[0] in found]
+    for entry in index["docs"]:
+        words = re.findall(r"\w+", f"{entry['title']} {entry['text']}")
+        entry["text"] += "".join(f" {plain(word)}" for word in words if plain(word) != word)
     workers = os.path.join(site, "assets/javascripts/workers")
     worker = next(name for name in sorted(os.listdir(workers)) if re.fullmatch(r"search\..*\.min\.js", name))
     with open(os.path.join(workers, worker), encoding="utf-8") as file:
         code = file.read()
     with open(os.path.join(site, "search/offline.js"), "w", encoding="utf-8") as file:
-        file.write(f"""var __search = {{
+        file.write(f"""const asks = new Set("a an and are can do does for from how i in is it my of on or the to what when where which who why with".split(" "));
+var __search = {{
   index: Promise.resolve({json.dumps(index)}),
   worker: URL.createObjectURL(new Blob([{json.dumps(code)}], {{type: "text/javascript"}})),
-  // A whole word counts more than the beginning of one.
-  transform: query => query.replace(/[^\\s":*^~+-]+/g, word => `${{word}}^10 ${{word}}*`),
+  // A whole word counts more than the beginning of one, and the words that only make a question do not count.
+  transform: query => query.replace(/[^\\s":*^~+-]+/g, word => asks.has(word.toLowerCase()) ? "" : `${{word}}^10 ${{word}}*`),
 }};
 """)
 

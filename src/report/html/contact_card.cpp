@@ -231,7 +231,7 @@ void add_cone_figure(const Element& parent, const ConeDisc& disc, const JudgedPr
   if (disc.points.empty() || is_bounded(problem.mixed.law.kind)) return;  // no bound is mu r_N
   const Element figure = parent.add("figure", "phase small cones");
   figure.add("h3").text("Contacts in their friction cones");
-  add_cone_disc(figure.add("div", "plot"), disc, id_of(answer) + "-cones");
+  add_cone_disc(figure.add("div", "plot").set("tabindex", 0), disc, id_of(answer) + "-cones");
   add_disc_legend(figure, disc);
   const std::string shape = disc.law == FrictionLaw::cone  ? "disc"
                             : disc.law == FrictionLaw::box ? "square"

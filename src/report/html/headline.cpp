@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "mechanics/mechanism/words.hpp"
 #include "report/papers/explain.hpp"
 #include "report/picture/motions_svg.hpp"
 
@@ -25,6 +26,8 @@ bool can_be_drawn(const Claim& claim, const ClaimResult& result) {
   const auto& e = result.counterexample;
   return e && is_about_motions(claim) && e->motions && !e->motions->motions.empty() && has_picture(e->scene.mechanism);
 }
+
+constexpr std::string_view arxiv = "arXiv:";
 
 /// How long the name is that a link of this kind begins with, as `2105.00851`.
 std::size_t name_length(std::string_view text) {
@@ -52,53 +55,56 @@ const ClaimResult* worst_refuted(const ClaimsFile& file, const VerifyResult& res
   return worst;
 }
 
+void add_motion(const Element& row, const MechanismScene& scene, const MotionAtLoad& motion, const CommonLook& look) {
+  const std::string modes = equal_modes(motion.all_modes());
+  const Element box = row.add("div", "motion");
+  const Element heading = box.add("p", "motion-name");
+  heading.add("b").text(modes);
+  if (!motion.strict()) heading.text(" (boundary)");
+  if (!has_picture(scene.mechanism)) return;
+  box.set("tabindex", 0).set("role", "group").set("aria-label", modes);  // it scrolls where the page is narrow
+  LabelBox seen;
+  add_mechanism(box, scene, &motion, "The motion " + modes + ", with its forces", look, &seen)
+      .set("style", fmt::format("--natural-width:{:.0f}px", seen.right - seen.left));
+}
+
 void add_worst_motions(const Element& parent, const ClaimResult& worst) {
   const Counterexample& e = *worst.counterexample;
   const CommonLook look = common_look(e.scene, e.motions->motions);
   const Element row = parent.add("div", "motions");
-  for (const MotionAtLoad& motion : e.motions->motions) {
-    const std::string modes = modes_text(motion);
-    const Element box = row.add("div", "motion").set("tabindex", 0).set("role", "group").set("aria-label", modes);
-    box.add("p", "motion-name").add("b").text(modes);
-    LabelBox seen;
-    add_mechanism(box, e.scene, &motion, "The motion " + modes + ", with its forces", look, &seen)
-        .set("style", fmt::format("--natural-width:{:.0f}px", seen.right - seen.left));
-  }
+  for (const MotionAtLoad& motion : e.motions->motions) add_motion(row, e.scene, motion, look);
 }
 
 std::string worst_motions_svg(const ClaimResult& worst) {
   return motions_svg_file(worst.counterexample->scene, *worst.counterexample->motions);
 }
 
+Reference find_reference(std::string_view text) {
+  constexpr std::array<std::array<std::string_view, 2>, 2> places{
+      {{arxiv, "https://arxiv.org/abs/"}, {"doi:", "https://doi.org/"}}};
+  Reference first{text.size(), {}, {}};
+  for (const auto& [before, site] : places) {
+    for (std::size_t at = text.find(before); at < first.begin; at = text.find(before, at + 1)) {
+      const std::size_t from = at + before.size(), length = name_length(text.substr(from));
+      if (length == 0) continue;
+      first = {at, text.substr(at, before.size() + length), std::string(site).append(text.substr(from, length))};
+    }
+  }
+  return first;
+}
+
 void add_reference(const Element& parent, std::string_view reference) {
-  struct Place {
-    std::string_view before, address;
-  };
-  constexpr std::array<Place, 2> places{{{"arXiv:", "https://arxiv.org/abs/"}, {"doi:", "https://doi.org/"}}};
   while (!reference.empty()) {
-    std::size_t first = reference.npos;
-    const Place* place = nullptr;
-    for (const Place& one : places) {
-      const std::size_t at = reference.find(one.before);
-      if (at < first) first = at, place = &one;
-    }
-    parent.text(reference.substr(0, first));
-    if (place == nullptr) return;
-    const std::string_view from = reference.substr(first);
-    const std::size_t length = name_length(from.substr(place->before.size()));
-    const std::string name(from.substr(place->before.size(), length));
-    const std::string_view shown = from.substr(0, place->before.size() + length);
-    if (length == 0) {
-      parent.text(shown);
-    } else {
-      parent.add("a").set("href", std::string(place->address) + name).text(shown);
-      if (place == places.begin()) {
-        parent.text(" (");
-        parent.add("a").set("href", "https://doi.org/10.48550/arXiv." + name).text("DOI");
-        parent.text(")");
-      }
-    }
-    reference = from.substr(shown.size());
+    const Reference found = find_reference(reference);
+    parent.text(reference.substr(0, found.begin));
+    reference.remove_prefix(found.begin + found.text.size());
+    if (found.text.empty()) continue;
+    parent.add("a").set("href", found.address).text(found.text);
+    if (!found.text.starts_with(arxiv)) continue;
+    const std::string name(found.text.substr(arxiv.size()));
+    parent.text(" (");
+    parent.add("a").set("href", "https://doi.org/10.48550/arXiv." + name).text("DOI");
+    parent.text(")");
   }
 }
 

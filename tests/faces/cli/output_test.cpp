@@ -254,13 +254,17 @@ TEST_CASE("certify answers in words on a terminal, with what to change, and in J
 
   // The tolerance that is advised is one that helps.
   folder.write("belt.csv", "mu,ax,ay,az,alphax,alphay,alphaz\n0.3,2.3545,-1.7658,0,-88.29,-117.72,0\n");
-  const std::string belt = "certify --scene cases/space/ball-on-belt.toml belt.csv";
-  const std::string inaccurate = on_terminal(folder.path(), belt), advice = "To accept it: --tolerance ";
-  REQUIRE(has(inaccurate, advice));
-  const std::size_t begin = inaccurate.find(advice) + advice.size();
-  const std::string tolerance = inaccurate.substr(begin, inaccurate.find(".\n", begin) - begin);
-  CHECK(has(on_terminal(folder.path(), belt + " --tolerance " + tolerance), "s CERTIFIED 1/1\n"));
-  CHECK_FALSE(has(on_terminal(folder.path(), belt + " --tolerance 1e-5"), "s CERTIFIED"));
+  folder.write("plane.json", R"({"W": [[2, 0], [0, 2]], "q": [-1, 0], "mu": [0.5], "r": [0.5001, 0]})");
+  for (const std::string rough : {"certify --scene cases/space/ball-on-belt.toml belt.csv", "certify plane.json"}) {
+    CAPTURE(rough);
+    const std::string inaccurate = on_terminal(folder.path(), rough), advice = "To accept it: --tolerance ";
+    REQUIRE(has(inaccurate, advice));
+    const std::size_t begin = inaccurate.find(advice) + advice.size();
+    const std::string tolerance = inaccurate.substr(begin, inaccurate.find(".\n", begin) - begin);
+    CHECK(tolerance != "0.01");  // no larger than it must be
+    CHECK(has(on_terminal(folder.path(), rough + " --tolerance " + tolerance), "s CERTIFIED 1/1\n"));
+    CHECK_FALSE(has(on_terminal(folder.path(), rough + " --tolerance 1e-5"), "s CERTIFIED"));
+  }
 
   const std::string one = on_terminal(folder.path(), "certify cases/contact-problems/pushed-block.json");
   CHECK_FALSE(has(one, "{"));

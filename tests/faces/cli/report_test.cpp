@@ -222,7 +222,9 @@ TEST_CASE("of a scene without a load draw takes the modes that solve lists, or a
   CHECK(run({"draw", scene, "--motion", "all"}).err.find("expected --load for --motion all") != std::string::npos);
   CHECK(run({"draw", scene, "--motion", "1", "--load", "0.4"}).out.find(">lift/slip+<") != std::string::npos);
   CHECK(run({"draw", scene, "--load", "1/0"}).exit_code == 2);
-  CHECK(run({"draw", scene, "--motion", "every"}).exit_code == 2);
+  const auto every = run({"draw", scene, "--motion", "every"});
+  CHECK(every.exit_code == 2);
+  CHECK(every.err.find("expected a whole number from 1 to 1000000, all or rest") != std::string::npos);
   const std::string truck = SLIPPROOF_SOURCE_DIR "/cases/mechanisms/scenes/three-axles.toml";
   CHECK(run({"draw", truck, "--motion", "5"}).out.find(">slip+/stick/stick<") != std::string::npos);
   CHECK(run({"draw", truck, "--motion", "6"}).err.find("expected at most 5: so many motions") != std::string::npos);
@@ -268,6 +270,10 @@ TEST_CASE("a report of a folder with one paper is a page, and of several a folde
   const auto several = run({"report", SLIPPROOF_SOURCE_DIR "/proofs", "--out", page + ".html"});
   CHECK(several.exit_code == 2);
   CHECK(several.err.find("expected a folder to write: 29 papers have a page each") != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(page + ".html"));
+  const auto engines = run({"report", SLIPPROOF_SOURCE_DIR "/cases/engines", "--only", "A1", "--out", page + ".html"});
+  CHECK(engines.exit_code == 2);
+  CHECK(engines.err.find("--only: found a folder of engines, expected claims") != std::string::npos);
   CHECK_FALSE(std::filesystem::exists(page + ".html"));
 }
 

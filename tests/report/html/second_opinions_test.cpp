@@ -131,6 +131,10 @@ TEST_CASE("the evidence says who agrees and who timed out, the first screen coun
                   "confirms A1.1.only-then, timed out on A1.1.always, was not asked of A1.1.defined; Coq accepts "
                   "A1.1.always, was not asked of A1.1.only-then and A1.1.defined.") != std::string::npos);
   CHECK(page.text("//details[@id='claim-A1.1a']").find("opinion") == std::string::npos);  // nobody was asked
+  // Where the source's lines are not shown, a claim leads to where they can be read.
+  CHECK(
+      page.tree.select_node("//details[@id='claim-A1.1']//p[@class='place' and contains(., 'line 203')]/a"
+                            "[.='arXiv:2105.00851' and @href='https://arxiv.org/abs/2105.00851']"));
   const std::string card = page.text("//section[@id='overview']//li[contains(., 'second opinion')]");
   CHECK(card.starts_with("3"));
   CHECK(card.find("z3 2, cvc5 1, Coq 2") != std::string::npos);

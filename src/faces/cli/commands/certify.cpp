@@ -52,7 +52,7 @@ RecordFormat format_of(const CertifyArguments& options) {
 }
 
 std::string summary_text(const CertifySummary& s) {
-  std::string text = fmt::format("{} records", s.records);
+  std::string text = counted(s.records, "record");
   for (std::size_t i = 0; i < record_verdict_count; ++i) {
     const auto verdict = static_cast<RecordVerdict>(i);
     if (verdict == RecordVerdict::undecided && s.count(verdict) == 0) continue;
@@ -199,7 +199,7 @@ int run_certify(CertifyArguments& options) {
     options.written = records;
     if (!line.is_shown()) return;
     const std::uint64_t read = bytes.read;  // ahead of what is judged
-    line.at(read, bytes.all == 0 ? 0 : std::max(bytes.all, read + 1), fmt::format("{} records", records));
+    line.at(read, bytes.all == 0 ? 0 : std::max(bytes.all, read + 1), counted(records, "record"));
   };
   const LineSink sink = [&](std::string_view lines) {
     line.make_way();

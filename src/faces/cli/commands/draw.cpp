@@ -126,7 +126,9 @@ std::string figure_of(MechanismScene scene, const DrawArguments& arguments) {
 CLI::Validator motion_choice() {
   return CLI::Validator(
       [](std::string& text) {
-        return text == every_motion || text == at_rest ? std::string() : whole_number(1, 1'000'000)(text);
+        const bool word = text == every_motion || text == at_rest;
+        const std::string mistake = word ? std::string() : whole_number(1, 1'000'000)(text);
+        return mistake.empty() ? mistake : mistake + ", all or rest";
       },
       "NUMBER|all|rest");
 }

@@ -5,6 +5,7 @@
 #include "base/number/format.hpp"
 #include "base/output/listed.hpp"
 #include "claims/paper/setting_names.hpp"
+#include "report/html/headline.hpp"
 #include "report/html/sections.hpp"
 #include "report/markup/latex.hpp"
 #include "report/markup/mathml.hpp"
@@ -104,6 +105,22 @@ void add_reading(const Element& parent, const PageInput& input, const Claim& cla
   if (result.counterexample) add_counterexample(part, input, result);
 }
 
+/// Where the source states the claim, with a link to the paper if the page does not show the source's lines.
+void add_place(const Element& body, const PageInput& input, const Claim& claim) {
+  const Paper& paper = input.claims->paper;
+  std::string place = paper.where(claim.line) + " of " + paper.source;
+  const std::string number = "(" + claim.equation + ")";
+  if (!claim.equation.empty() && place.find(number) == place.npos) place += ", equation " + number;
+  const Element line = body.add("p", "place");
+  line.text(place);
+  const Reference reference = find_reference(paper.reference);
+  if (!input.source && !reference.text.empty()) {
+    line.text(", in ");
+    line.add("a").set("href", reference.address).text(reference.text);
+  }
+  line.text(".");
+}
+
 }  // namespace
 
 void add_claim_card(const Element& parent, const PageInput& input, std::size_t index) {
@@ -131,9 +148,7 @@ void add_claim_card(const Element& parent, const PageInput& input, std::size_t i
   }
 
   const Element body = card.add("div", "body");
-  std::string place = input.claims->paper.where(claim.line) + " of " + input.claims->paper.source;
-  if (!claim.equation.empty()) place += ", equation (" + claim.equation + ")";
-  body.add("p", "place").text(place + ".");
+  add_place(body, input, claim);
   add_source_line(body, input, claim.line);
   for (const ClaimResult* result : readings) add_reading(body, input, claim, *result);
   if (!claim.why.empty()) {

@@ -7,6 +7,7 @@
 #include "claims/paper/compiled.hpp"
 #include "claims/paper/setting_names.hpp"
 #include "mechanics/mechanism/words.hpp"
+#include "report/html/headline.hpp"
 #include "report/html/sections.hpp"
 #include "report/markup/mathml.hpp"
 #include "report/papers/explain.hpp"
@@ -168,16 +169,6 @@ void add_arithmetic(const Element& parent, const MechanismScene& scene, const Mo
   }
 }
 
-void add_motion(const Element& parent, const Counterexample& e, const MotionAtLoad& motion) {
-  const Element box = parent.add("div", "motion");
-  const std::string modes = equal_modes(motion.all_modes());
-  const Element heading = box.add("p", "motion-name");
-  heading.add("b").text(modes);
-  if (!motion.strict()) heading.text(" (boundary)");
-  if (has_picture(e.scene.mechanism))
-    add_mechanism(box, e.scene, &motion, "The mechanism with the forces of the motion " + modes);
-}
-
 /// The scene as a file to save and as text to read.
 void add_scene(const Element& parent, const PageInput& input, const MechanismScene& scene, const std::string& text,
                const std::string& file_name) {
@@ -222,7 +213,7 @@ void add_motions(const Element& box, const Counterexample& e) {
                         ? "There is one motion:"
                         : "There are " + std::to_string(motions.size()) + " motions, with these forces:");
   const Element grid = box.add("div", "motions");
-  for (const auto& found : motions) add_motion(grid, e, found);
+  for (const auto& found : motions) add_motion(grid, e.scene, found, {});
   for (const auto& found : motions) add_arithmetic(box, e.scene, found);
 }
 

@@ -73,7 +73,7 @@ void add_problem(const Element& section, const PageInput& input) {
       "compared with the solutions: at sampled parameters, for every load at once, and, where there is a proof, for "
       "all parameters.");
   if (!input.model || !bicycles) return;
-  const Element figure = columns.add("figure", "model");
+  const Element figure = columns.add("figure", "model").set("tabindex", 0);
   add_mechanism(figure, *input.model, nullptr, "The bicycle of the model with its signs and symbols");
   figure.add("figcaption")
       .text("Arrows point where a quantity counts as positive: the pedal force F pulls the lower pedal backwards.");

@@ -78,7 +78,7 @@ void add_trade_section(const Element& main, const PageInput& input) {
   for (const bool errors : {false, true}) {
     const Element figure = grid.add("figure", "phase small");
     figure.add("h3").text(errors ? "Speed and error" : "Speed and wrong verdicts");
-    add_trade_plot(figure.add("div", "plot"), trade, errors, true);
+    add_trade_plot(figure.add("div", "plot").set("tabindex", 0), trade, errors, true);
     figure.add("figcaption")
         .text(errors ? "The largest relative error of an acceleration or a force, where the modes are right, on " +
                            trade.workloads.front().name + ". To the right is faster, down is better."

@@ -23,9 +23,13 @@ struct ReportArguments : JudgeArguments {
 };
 
 /// Reports on what engines answered: a page for all, one for each class of scenes and one for each scene.
-int report_engines(const std::filesystem::path& folder, const ReportArguments& options) {
+int report_engines(const std::filesystem::path& folder, const ReportArguments& options, const CLI::App& command) {
   if (options.out == "-") throw CLI::ValidationError("--out", "found -, expected a folder: engines have many pages");
-  if (!options.address.empty()) throw CLI::ValidationError("--address", "engines have no picture to share");
+  for (const char* name : {"--only", "--samples", "--lines", "--second-checker", "--trade", "--address"}) {
+    if (command.count(name) > 0) {
+      throw CLI::ValidationError(name, "found a folder of engines, expected claims, which this option is for");
+    }
+  }
   const OutputFolder pages(options.out, {explorer_file()});
   const std::string explorer = copy_explorer(pages);
   const EngineResults results = engine_results(judge_engines(folder));
@@ -33,7 +37,7 @@ int report_engines(const std::filesystem::path& folder, const ReportArguments& o
   write_engine_pages(results, folder.generic_string(), SLIPPROOF_VERSION, explorer,
                      [&](const auto& name, const auto& html) {
                        pages.write(name, html);
-                       ++count;
+                       count += name.ends_with(".html") ? 1 : 0;
                      });
   print(options.common.json ? engine_table_json(results) : fmt::format("s REPORTED {} {} pages\n", options.out, count));
   return success;
@@ -84,11 +88,11 @@ void add_report(CLI::App& app, int& exit_code) {
       });
   add_common_options(command, options->common);
   add_examples(command, {"proofs/ladder/claims.toml --samples 200 --out report.html"});
-  command.callback([options, samples, &exit_code] {
+  command.callback([options, samples, &command, &exit_code] {
     std::filesystem::path path = claims_path(options->claims);
     if (is_engines_folder(path)) {
       if (options->out.empty()) options->out = "report";
-      exit_code = report_engines(path, *options);
+      exit_code = report_engines(path, *options, command);
       return;
     }
     auto papers = papers_in(path);
