@@ -206,6 +206,13 @@ TEST_CASE("in the plane contacts slide in linear modes, and without friction the
   CHECK(all_linear(block, &plus).empty());
 }
 
+TEST_CASE("a force at the edge of its cone sticks, although rounding cannot tell") {
+  const MixedProblem block = problem_of(3, {3, 0, 0, 0, 3, 0, 0, 0, 3}, {-1, 0.5, 0}, 0.5);
+  CHECK(all_linear(block) == std::set<Vector>{{Rational(1, 3), Rational(-1, 6), 0}});
+  const MixedProblem beyond = problem_of(3, {3, 0, 0, 0, 3, 0, 0, 0, 3}, {-1, 0.5 + 0x1p-50, 0}, 0.5);
+  CHECK(all_linear(beyond).empty());
+}
+
 TEST_CASE("forces that a mode leaves open do not make one motion two") {
   // Two contacts at one place: any r_1 + r_2 = 1.
   const MixedProblem twice = problem_of(
