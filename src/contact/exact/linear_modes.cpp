@@ -42,6 +42,8 @@ bool is(const State& state, ConeState known) {
   return known == (state.sign > 0 ? ConeState::slide_plus : ConeState::slide_minus);
 }
 
+constexpr Work near_entry = 20;  ///< the work of one entry of an elimination with error bounds
+
 /// About the work of one entry of an exact elimination: numbers grow with each force that is eliminated.
 Work work_of_entry(const ContactProblem& contacts) {
   constexpr Work allocated = 40, products = 4;  // of a sum and a product of rational numbers in lowest terms
@@ -110,7 +112,6 @@ class ModeTree {
 
   template <class Number>
   Solvable enter(Tableau<Number>& tableau, std::size_t k, const State& state) {
-    constexpr Work near_entry = 20;
     effort_.spend(times(tableau.entries(), std::is_same_v<Number, Rational> ? exact_entry_ : near_entry));
     const std::size_t n = normal(k);
     if (state.kind == Contact::slides) tableau.tie(n + state.axis, n, factor<Number>(k, state));
@@ -227,6 +228,11 @@ Work linear_modes(const MixedProblem& problem, Slides slides) {
   Work modes = 1;
   for (std::size_t k = 0; k < problem.contacts(); ++k) modes = times(modes, states_of(problem, k, slides).size());
   return modes;
+}
+
+Work least_work_of_linear_modes(const MixedProblem& problem, Slides slides) {
+  const Work components = problem.size() - problem.free;
+  return times(linear_modes(problem, slides), near_entry * components * components);
 }
 
 void each_linear_solution(const MixedProblem& problem, const ContactProblem& contacts, Slides slides,

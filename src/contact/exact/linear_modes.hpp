@@ -20,6 +20,9 @@ enum class Slides : std::uint8_t { none, axes };
 /// slides: in the plane always. Endless if more than that.
 Work linear_modes(const MixedProblem& problem, Slides slides);
 
+/// The least work of each_linear_solution(): that of error bounds in all of these modes.
+Work least_work_of_linear_modes(const MixedProblem& problem, Slides slides);
+
 /// Calls visit(r) with the forces of each solution in these modes, until it returns false. If the equations of a mode
 /// leave forces undetermined, these are tried at 0 and at their values in `start`; other solutions of the mode are
 /// missed. A solution may be visited several times. The modes form a tree: contacts are decided one after the other,

@@ -111,10 +111,9 @@ void bound_every_solution(const MixedProblem& problem, std::span<const double> u
 
 void look_in_linear_modes(const MixedProblem& problem, Effort effort, ContactJudgement& judgement) try {
   LinearSearch& search = judgement.linear_modes.emplace(LinearSearch{linear_modes(problem, Slides::none), false});
-  const Work free = problem.free, components = problem.size() - free;
-  constexpr Work least = 20;  // of an entry
-  const auto can_try = [&](Work modes) { return effort.allows(times(modes, least * components * components)); };
-  if (!can_try(search.modes)) return;
+  const auto can_try = [&](Slides slides) { return effort.allows(least_work_of_linear_modes(problem, slides)); };
+  if (!can_try(Slides::none)) return;
+  const Work free = problem.free;
   effort.spend(times(times(free, free), times(free, 8)));
   const auto contacts = eliminated(problem);
   if (!contacts) return;
@@ -122,7 +121,7 @@ void look_in_linear_modes(const MixedProblem& problem, Effort effort, ContactJud
   const ConeMode* mode = judgement.enclosure ? &judgement.enclosure->system.mode() : nullptr;
   for (const Slides slides : {Slides::none, Slides::axes}) {
     const Work modes = linear_modes(problem, slides);
-    if ((search.tried && modes == search.modes) || !can_try(modes)) return;
+    if ((search.tried && modes == search.modes) || !can_try(slides)) return;
     each_linear_solution(problem, contacts->problem, slides, std::span(judgement.x).subspan(problem.free), mode, effort,
                          [&](const std::vector<Rational>& r) {
                            std::vector<Rational> x = contacts->with_free(r);
