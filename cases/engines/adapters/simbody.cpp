@@ -1,7 +1,8 @@
 // Simbody in space: one step of its time stepper for rigid contacts, by its default solver (PLUS, a kind of Newton's
 // method) or, with the argument `pgs`, by sweeps, 100 by default. Contacts are handed over as points of one body on
-// planes of the other; there is no restitution. Simbody's contacts of shapes are compliant: at gap 0 they push nothing,
-// so that no first step says anything about them. It tells no forces here.
+// planes of the other; restitution is by the stepper's default model (Poisson's), and only of impacts. Simbody's
+// contacts of shapes are compliant: at gap 0 they push nothing, so that no first step says anything about them. It
+// tells no forces here.
 #include <Simbody.h>
 #include <fcntl.h>
 #include <unistd.h>
@@ -62,9 +63,10 @@ class Scene {
       bodies_[i].setUToFitVelocity(state, {vec(q_.bodies[i].spins), vec(q_.bodies[i].velocity)});
     }
     SimTK::SemiExplicitEulerTimeStepper stepper(system_);
-    stepper.setRestitutionModel(SimTK::SemiExplicitEulerTimeStepper::NoRestitution);
+    if (!q_.impact) stepper.setRestitutionModel(SimTK::SemiExplicitEulerTimeStepper::NoRestitution);
     Answer answer;
     answer.tells_forces = false;
+    if (q_.impact) answer.settings["restitution"] = stepper.getRestitutionModelName(stepper.getRestitutionModel());
     answer.settings["solver"] = sweeps ? "PGS" : "PLUS";
     if (sweeps) {
       auto* solver = new SimTK::PGSImpulseSolver(stepper.getDefaultFrictionTransitionVelocityInUse());
@@ -119,9 +121,9 @@ class Scene {
 
   void add(const Contact& c) {
     const Vector on = q_.arm(c.on, c.at);
-    matter_.adoptUnilateralContact(new SimTK::PointPlaneContact(bodies_[c.on], SimTK::UnitVec3(vec(c.normal)),
-                                                                dot(on, c.normal), bodies_[c.of],
-                                                                vec(q_.arm(c.of, c.at)), 0, c.friction, c.friction, 0));
+    matter_.adoptUnilateralContact(
+        new SimTK::PointPlaneContact(bodies_[c.on], SimTK::UnitVec3(vec(c.normal)), dot(on, c.normal), bodies_[c.of],
+                                     vec(q_.arm(c.of, c.at)), c.restitution, c.friction, c.friction, 0));
   }
 
   const Question& q_;
