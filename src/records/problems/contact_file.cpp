@@ -14,6 +14,7 @@
 #include "contact/formats/problem_check.hpp"
 #include "contact/judge/all_solutions_json.hpp"
 #include "contact/judge/find/find.hpp"
+#include "contact/judge/others.hpp"
 #include "mechanics/mechanism/mechanism.hpp"
 
 namespace slipproof {
@@ -36,7 +37,12 @@ JudgedAnswer judge_one(const JudgedProblem& problem, const SolverAnswer& answer,
   JudgedAnswer result{answer.origin, judge_contacts(problem.mixed, x, u, options.judge, std::move(tree))};
   const bool finite = std::ranges::all_of(x, [](double component) { return std::isfinite(component); });
   if (file.impact && finite) result.energy = step_energy(file, x);
-  if (problem.rigid) result.coulomb = judge_contacts(*problem.rigid, std::move(x), answer.u, options.judge);
+  if (problem.rigid) {
+    ContactJudgeOptions rigid = options.judge;  // of an answer that its own law refuses, the verdict is enough
+    if (result.judgement.verdict == ContactVerdict::wrong && !rigid.refine)
+      rigid.effort = work_beyond_verdict(*problem.rigid, rigid.effort);
+    result.coulomb = judge_contacts(*problem.rigid, std::move(x), answer.u, rigid);
+  }
   return result;
 }
 
