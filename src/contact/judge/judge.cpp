@@ -61,9 +61,9 @@ class ContactCase {
     if (problem_.size() > 60) return false;
     std::optional<std::vector<Rational>> found;
     extra("why there is no solution", [&] {
-      Effort little(beyond_);
       const bool near = converged_answer(problem_, {.start = j_.x, .elsewhere = false}, options_.tolerance).has_value();
-      found = infeasibility(problem_, near ? little : effort_);  // near one, multipliers are hardly found
+      Effort little(std::min(options_.effort, (near ? 1 : 100) * beyond_));  // near one, multipliers are hardly found
+      found = infeasibility(problem_, options_.refine && !near ? effort_ : little);
     });
     if (found) j_.multipliers = std::move(*found);
     return found.has_value();
