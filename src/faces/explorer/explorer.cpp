@@ -11,6 +11,7 @@
 #include "contact/problem/every_push.hpp"
 #include "faces/explorer/pasted.hpp"
 #include "mechanics/planes/axis_choice.hpp"
+#include "mechanics/scene/read_again.hpp"
 #include "mechanics/scene/solve_mechanism.hpp"
 #include "report/phase/phase_svg.hpp"
 #include "report/picture/motion_words.hpp"
@@ -183,7 +184,7 @@ std::string Explorer::answer(std::string_view text) const {
     }
     // Written and read again: what the page shows and copies is what the program reads, with all that it refuses.
     const std::string written = to_toml(scene, given_.mechanism, given_.along);
-    scene = parse_scene(written, scene_file);
+    scene = parse_scene_of(scene_.mechanism, written, scene_file);
     if (request.contains("pasted"))
       return json_text({{"judged", judge_pasted(request["pasted"].get<std::string>(), written)}});
     if (request.contains("map")) {
