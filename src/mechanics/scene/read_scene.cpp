@@ -207,6 +207,11 @@ MechanismScene scene_in_numbers(std::string_view text, const std::string& file, 
   return scene;
 }
 
+bool is_xml(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != text.npos && text[first] == '<';
+}
+
 /// Whether a scene is written for any mechanism, even if it forgets to say for which.
 bool names_mechanism(const TomlValue& document) {
   return document.find("mechanism") != nullptr || document.find("values") != nullptr;
@@ -264,7 +269,9 @@ void read_states(const TomlValue& table, const Mechanism& mechanism, std::vector
 MechanismScene parse_scene(std::string_view text, const std::string& file, MechanismRequest request) {
   Mistakes mistakes(file);
   MechanismScene scene;
-  if (const auto document = parse_toml(text, mistakes)) {
+  if (is_xml(text)) {
+    mistakes.add({1, 1}, "found XML, expected a scene in TOML: `slipproof import` makes one of URDF, SDF and MJCF");
+  } else if (const auto document = parse_toml(text, mistakes)) {
     scene = is_mechanism(*document)      ? scene_in_numbers(text, file, request.impact, mistakes)
             : names_mechanism(*document) ? MechanismSceneReader(*document, file, request.impact, mistakes).read()
                                          : read_bicycle_scene(*document, file, mistakes);
