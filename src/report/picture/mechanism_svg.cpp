@@ -31,8 +31,6 @@ namespace {
 
 using ShapeKind = MechanismShape::Kind;
 constexpr double drawn_width = 270, drawn_height = 220, longest_force = 72, surface = 30, opening = 14;
-/// Of pictures of many contacts.
-constexpr double large_width = 420, large_height = 400;
 
 class MechanismDrawing {
  public:
@@ -109,7 +107,7 @@ class MechanismDrawing {
     view_.middle = {(all->left + all->right) / 2, (all->top + all->bottom) / 2};
     if (across > 0 || up > 0) {
       const bool large = lettered() || measured();
-      const double width = large ? large_width : drawn_width, height = large ? large_height : drawn_height;
+      const double width = large ? lettered_width : drawn_width, height = large ? lettered_height : drawn_height;
       view_.scale = std::min(across > 0 ? width / across : height / up, up > 0 ? height / up : width / across);
     }
     const Point corner = view_.pixel({all->left, all->bottom}), other = view_.pixel({all->right, all->top});
@@ -312,7 +310,7 @@ double picture_height(const MechanismScene& scene, double usual) {
   const auto drawn = static_cast<std::size_t>(
       std::ranges::count_if(contacts, [](const MechanismContact& contact) { return !contact.at.empty(); }));
   if (drawn < fewest_lettered) return usual;
-  return usual + large_height - drawn_height + contact_table_height(drawn);
+  return usual + lettered_height - drawn_height + contact_table_height(drawn);
 }
 
 double largest_force(const MechanismScene& scene, const MotionAtLoad& motion) {
