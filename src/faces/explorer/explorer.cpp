@@ -123,6 +123,7 @@ Json pictures_of(const SolvedMechanism& solved) {
       solved.at_load ? drawn_motions(*solved.at_load) : std::vector<MotionAtLoad>{};
   CommonLook look = common_look(solved.scene, motions);
   look.movable = true;
+  look.share = 0.7;  // three of them stand side by side
   const auto add = [&](const std::string& title, const MotionAtLoad* motion) {
     const ElementTree document("div");
     const Element svg = add_mechanism(document.root(), solved.scene, motion, title, look);

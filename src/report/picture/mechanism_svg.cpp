@@ -41,7 +41,7 @@ class MechanismDrawing {
         look_(look),
         numbers_(look.numbers ? *look.numbers : NumberWords(shown_numbers(scene, motion))),
         geometry_(geometry_of(scene, motion == nullptr)),
-        frame_(svg) {
+        frame_(svg, look.share) {
     fit();
     if (motion != nullptr && (look.movable || look.animated))
       movements_ = body_movements(scene, *motion, geometry_.turned);
@@ -107,7 +107,8 @@ class MechanismDrawing {
     view_.middle = {(all->left + all->right) / 2, (all->top + all->bottom) / 2};
     if (across > 0 || up > 0) {
       const bool large = lettered() || measured();
-      const double width = large ? lettered_width : drawn_width, height = large ? lettered_height : drawn_height;
+      const double width = large ? lettered_width : look_.share * drawn_width;
+      const double height = large ? lettered_height : look_.share * drawn_height;
       view_.scale = std::min(across > 0 ? width / across : height / up, up > 0 ? height / up : width / across);
     }
     const Point corner = view_.pixel({all->left, all->bottom}), other = view_.pixel({all->right, all->top});
