@@ -84,7 +84,11 @@ void add_table(const Element& parent, const ReportTable& table) {
   if (!table.caption.empty()) whole.add("caption").text(table.caption);
   if (table.has_head()) {
     const Element head = whole.add("thead").add("tr");
-    for (const ReportColumn& column : table.columns) add_line(head.add("th").set("scope", "col"), column.name);
+    for (const ReportColumn& column : table.columns) {
+      const bool named = !column.name.empty();
+      const Element cell = head.add(named ? "th" : "td");
+      if (named) add_line(cell.set("scope", "col"), column.name);
+    }
   }
   const Element body = whole.add("tbody");
   for (const ReportRow& row : table.rows) {
