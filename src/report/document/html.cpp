@@ -77,8 +77,8 @@ void add_document(const Element& parent, const Document& document, int level) {
 }
 
 void add_table(const Element& parent, const ReportTable& table) {
-  const Element scroll = parent.add("div", "scroll").set("tabindex", 0).set("role", "region");
-  scroll.set("aria-label", table.label);
+  const Element scroll = parent.add("div", "scroll").set("tabindex", 0);
+  if (!table.label.empty()) scroll.set("role", "region").set("aria-label", table.label);
   const Element whole = scroll.add("table");
   if (!table.css_class.empty()) whole.set("class", table.css_class);
   if (!table.caption.empty()) whole.add("caption").text(table.caption);
