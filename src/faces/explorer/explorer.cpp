@@ -11,6 +11,7 @@
 #include "contact/problem/every_push.hpp"
 #include "faces/explorer/pasted.hpp"
 #include "mechanics/planes/axis_choice.hpp"
+#include "mechanics/scene/read_again.hpp"
 #include "mechanics/scene/solve_mechanism.hpp"
 #include "report/phase/phase_svg.hpp"
 #include "report/picture/motion_words.hpp"
@@ -122,6 +123,7 @@ Json pictures_of(const SolvedMechanism& solved) {
       solved.at_load ? drawn_motions(*solved.at_load) : std::vector<MotionAtLoad>{};
   CommonLook look = common_look(solved.scene, motions);
   look.movable = true;
+  look.share = 0.7;  // three of them stand side by side
   const auto add = [&](const std::string& title, const MotionAtLoad* motion) {
     const ElementTree document("div");
     const Element svg = add_mechanism(document.root(), solved.scene, motion, title, look);
@@ -183,7 +185,7 @@ std::string Explorer::answer(std::string_view text) const {
     }
     // Written and read again: what the page shows and copies is what the program reads, with all that it refuses.
     const std::string written = to_toml(scene, given_.mechanism, given_.along);
-    scene = parse_scene(written, scene_file);
+    scene = parse_scene_of(scene_.mechanism, written, scene_file);
     if (request.contains("pasted"))
       return json_text({{"judged", judge_pasted(request["pasted"].get<std::string>(), written)}});
     if (request.contains("map")) {

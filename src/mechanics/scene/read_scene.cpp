@@ -11,6 +11,7 @@
 #include "mechanics/reading/reader.hpp"
 #include "mechanics/reading/shipped.hpp"
 #include "mechanics/scene/bicycle_scene.hpp"
+#include "mechanics/scene/read_again.hpp"
 #include "mechanics/scene/read_angle.hpp"
 #include "mechanics/scene/scene.hpp"
 
@@ -25,15 +26,13 @@ class MechanismSceneReader {
   MechanismSceneReader(const TomlValue& root, const std::string& file, std::optional<ImpactRequest> impact,
                        Mistakes& mistakes)
       : root_(root, "", keys, mistakes), file_(file), impact_(impact), mistakes_(mistakes) {}
+  MechanismSceneReader(const TomlValue& root, const std::string& file, const Mechanism& known, Mistakes& mistakes)
+      : root_(root, "", keys, mistakes), file_(file), mistakes_(mistakes), known_(&known) {}
 
   MechanismScene read() {
     scene_.name = std::filesystem::path(file_).stem().string();
     if (const PlacedText* name = root_.string("name")) scene_.name = name->text();
-    const TomlValue* mechanism_value = root_.value("mechanism");
-    auto mechanism =
-        mechanism_value != nullptr && mechanism_value->kind == TomlValue::Kind::table
-            ? own_mechanism(*mechanism_value)
-            : named_mechanism(root_, std::filesystem::path(file_).parent_path().string(), {Dimensions::any, impact_});
+    std::optional<Mechanism> mechanism = known_ != nullptr ? std::optional(*known_) : read_own_or_named();
     if (!mechanism) return {};
     if (const PlacedText* question = root_.string("question")) scene_.question = question->text();
     if (const PlacedText* asked = root_.string("asked")) scene_.asked = asked->text();
@@ -72,6 +71,12 @@ class MechanismSceneReader {
     }
     if (from && to && *from >= *to) table.refuse("to", "found " + exact_text(*to) + ", expected more than `from`");
     if (parameter != nullptr && from && to) scene_.threshold = SceneThreshold{parameter->text(), *from, *to};
+  }
+
+  std::optional<Mechanism> read_own_or_named() {
+    const TomlValue* value = root_.value("mechanism");
+    if (value != nullptr && value->kind == TomlValue::Kind::table) return own_mechanism(*value);
+    return named_mechanism(root_, std::filesystem::path(file_).parent_path().string(), {Dimensions::any, impact_});
   }
 
   /// A mechanism that stands in the scene itself: the table [mechanism].
@@ -176,6 +181,7 @@ class MechanismSceneReader {
   std::string file_;
   std::optional<ImpactRequest> impact_;
   Mistakes& mistakes_;
+  const Mechanism* known_ = nullptr;  ///< read before
   MechanismScene scene_;
   bool complete_ = true;  ///< every parameter and angle has a value
 };
@@ -199,6 +205,11 @@ MechanismScene scene_in_numbers(std::string_view text, const std::string& file, 
   scene.name = scene.mechanism.name;
   scene.values = default_values(scene.mechanism);
   return scene;
+}
+
+bool is_xml(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != text.npos && text[first] == '<';
 }
 
 /// Whether a scene is written for any mechanism, even if it forgets to say for which.
@@ -258,7 +269,9 @@ void read_states(const TomlValue& table, const Mechanism& mechanism, std::vector
 MechanismScene parse_scene(std::string_view text, const std::string& file, MechanismRequest request) {
   Mistakes mistakes(file);
   MechanismScene scene;
-  if (const auto document = parse_toml(text, mistakes)) {
+  if (is_xml(text)) {
+    mistakes.add({1, 1}, "found XML, expected a scene in TOML: `slipproof import` makes one of URDF, SDF and MJCF");
+  } else if (const auto document = parse_toml(text, mistakes)) {
     scene = is_mechanism(*document)      ? scene_in_numbers(text, file, request.impact, mistakes)
             : names_mechanism(*document) ? MechanismSceneReader(*document, file, request.impact, mistakes).read()
                                          : read_bicycle_scene(*document, file, mistakes);
@@ -268,6 +281,15 @@ MechanismScene parse_scene(std::string_view text, const std::string& file, Mecha
     mistakes.add({}, "found a scene of the bicycle, expected bodies with velocities for an impact");
   mistakes.refuse_if_any();
   refuse_other(scene.mechanism, request.dimensions);
+  return scene;
+}
+
+MechanismScene parse_scene_of(const Mechanism& mechanism, std::string_view text, const std::string& file) {
+  Mistakes mistakes(file);
+  MechanismScene scene;
+  if (const auto document = parse_toml(text, mistakes))
+    scene = MechanismSceneReader(*document, file, mechanism, mistakes).read();
+  mistakes.refuse_if_any();
   return scene;
 }
 

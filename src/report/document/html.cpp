@@ -77,14 +77,18 @@ void add_document(const Element& parent, const Document& document, int level) {
 }
 
 void add_table(const Element& parent, const ReportTable& table) {
-  const Element scroll = parent.add("div", "scroll").set("tabindex", 0).set("role", "region");
-  scroll.set("aria-label", table.label);
+  const Element scroll = parent.add("div", "scroll").set("tabindex", 0);
+  if (!table.label.empty()) scroll.set("role", "region").set("aria-label", table.label);
   const Element whole = scroll.add("table");
   if (!table.css_class.empty()) whole.set("class", table.css_class);
   if (!table.caption.empty()) whole.add("caption").text(table.caption);
   if (table.has_head()) {
     const Element head = whole.add("thead").add("tr");
-    for (const ReportColumn& column : table.columns) add_line(head.add("th").set("scope", "col"), column.name);
+    for (const ReportColumn& column : table.columns) {
+      const bool named = !column.name.empty();
+      const Element cell = head.add(named ? "th" : "td");
+      if (named) add_line(cell.set("scope", "col"), column.name);
+    }
   }
   const Element body = whole.add("tbody");
   for (const ReportRow& row : table.rows) {

@@ -61,7 +61,7 @@ void add_strips(const Element& main, const EnginePageInput& input, const std::st
   add_key(section);
   const auto scenes = scenes_of(input, name);
   ReportTable table{{"engine", "right", "scenes, each a link"}};
-  table.label = heading;
+  table.label = "Scenes by engine: " + asked;
   table.css_class = "engines";
   for (const std::string& engine : input.judged().engines) {
     EngineCounts counts{};

@@ -16,7 +16,7 @@ void add_counts(const Element& main, const EnginePageInput& input) {
   const Element section = add_section(main, "table", "Right answers, by class of scenes");
   section.add("p", "how")
       .text(
-          "Of the scenes that the engine can have. A class opens its scenes, and a scene its picture, its exact "
+          "Of the scenes that the engine supports. A class opens its scenes, and a scene its picture, its exact "
           "motions and what each engine says.");
   ReportTable table{{"engine", "asked", {"all", true}}};
   table.label = "Right answers by engine and class";

@@ -31,8 +31,6 @@ namespace {
 
 using ShapeKind = MechanismShape::Kind;
 constexpr double drawn_width = 270, drawn_height = 220, longest_force = 72, surface = 30, opening = 14;
-/// Of pictures of many contacts.
-constexpr double large_width = 420, large_height = 400;
 
 class MechanismDrawing {
  public:
@@ -43,7 +41,7 @@ class MechanismDrawing {
         look_(look),
         numbers_(look.numbers ? *look.numbers : NumberWords(shown_numbers(scene, motion))),
         geometry_(geometry_of(scene, motion == nullptr)),
-        frame_(svg) {
+        frame_(svg, look.share) {
     fit();
     if (motion != nullptr && (look.movable || look.animated))
       movements_ = body_movements(scene, *motion, geometry_.turned);
@@ -109,7 +107,8 @@ class MechanismDrawing {
     view_.middle = {(all->left + all->right) / 2, (all->top + all->bottom) / 2};
     if (across > 0 || up > 0) {
       const bool large = lettered() || measured();
-      const double width = large ? large_width : drawn_width, height = large ? large_height : drawn_height;
+      const double width = large ? lettered_width : look_.share * drawn_width;
+      const double height = large ? lettered_height : look_.share * drawn_height;
       view_.scale = std::min(across > 0 ? width / across : height / up, up > 0 ? height / up : width / across);
     }
     const Point corner = view_.pixel({all->left, all->bottom}), other = view_.pixel({all->right, all->top});
@@ -312,7 +311,7 @@ double picture_height(const MechanismScene& scene, double usual) {
   const auto drawn = static_cast<std::size_t>(
       std::ranges::count_if(contacts, [](const MechanismContact& contact) { return !contact.at.empty(); }));
   if (drawn < fewest_lettered) return usual;
-  return usual + large_height - drawn_height + contact_table_height(drawn);
+  return usual + lettered_height - drawn_height + contact_table_height(drawn);
 }
 
 double largest_force(const MechanismScene& scene, const MotionAtLoad& motion) {

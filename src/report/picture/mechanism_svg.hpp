@@ -22,6 +22,7 @@ struct CommonLook {
   double largest_force = 0;            ///< the one with the longest arrow; 0: the largest of the picture
   bool brief = false;                  ///< leaves out what is listed below the drawing
   bool is_virtual = false;             ///< velocities are those of a virtual motion, and dotted
+  double share = 1;                    ///< of the usual room for few contacts; less: larger letters
   bool movable = false;                ///< each part says how it moves, where all parts are those of bodies
   bool animated = false;               ///< outlines go on for half a second of the motion's accelerations
 };

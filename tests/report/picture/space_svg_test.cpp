@@ -13,6 +13,7 @@
 #include "base/input/diagnostic.hpp"
 #include "mechanics/reading/read_mechanism.hpp"
 #include "report/picture/drawn_mechanism.hpp"
+#include "report/picture/labels/contact_table.hpp"
 #include "report/picture/space/space_view.hpp"
 
 using namespace slipproof;
@@ -330,6 +331,12 @@ TEST_CASE("many contacts have letters, which a table explains, alone and in a mo
       CHECK(words.find(expected) != std::string::npos);
     }
   };
-  check(read_picture(space_svg_file(scene, view_direction(usual_view))), "N of a contact");
+  const DrawnMechanism alone = read_picture(space_svg_file(scene, view_direction(usual_view)));
+  check(alone, "N of a contact");
+  std::vector<double> across;
+  for (const auto& found : alone.tree.select_nodes("//circle[starts-with(@class,'contact')]"))
+    across.push_back(found.node().attribute("cx").as_double());
+  const auto [left, right] = std::ranges::minmax(across);
+  CHECK(right - left > lettered_width / 2);  // the rest is the floor around the slab
   check(picture_of(scene, motion, view_direction(usual_view)), "T = (1/7, 1/7)");
 }

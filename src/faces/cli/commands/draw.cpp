@@ -107,7 +107,7 @@ std::string figure_of(MechanismScene scene, const DrawArguments& arguments) {
   if (arguments.animate && !scene.mechanism.bodies) {
     refuse(arguments,
            "found a mechanism by equations, which does not say how its shapes move, expected one of bodies "
-           "for --animate");
+           "for --animate, as in cases/mechanisms/bodies");
   }
   if (arguments.motion == at_rest) {
     RestQuestions questions;

@@ -1,11 +1,13 @@
 "use strict";
 const scene = JSON.parse(document.getElementById("scene").textContent);
 const at = (id) => document.getElementById(id);
+const [width, height] = [scene.size[0] + 170, scene.size[1] + 160], least_letters = 12;  // room for arrows; pixels of the window
 let [azimuth, elevation] = scene.from, shown = 0, held = null;
 
 function show() {
   const motion = scene.motions[shown];
-  at("picture").innerHTML = drawn(scene, motion, direction(azimuth, elevation));
+  const letters = Math.max(12, least_letters * width / (at("picture").getBoundingClientRect().width || width));
+  at("picture").innerHTML = drawn(scene, motion, direction(azimuth, elevation), letters);
   at("kind").textContent = motion.kind;
   at("from").textContent = `--from=${Math.round(azimuth * 10) / 10},${Math.round(elevation * 10) / 10}`;
   at("numbers").replaceChildren(...motion.rows.map((cells) => {
@@ -40,6 +42,8 @@ at("tabs").addEventListener("keydown", (event) => {
   at("tabs").children[shown].focus();
 });
 const picture = at("picture");
+picture.setAttribute("viewBox", [-width / 2, -height / 2, width, height].join(" "));
+addEventListener("resize", show);
 picture.addEventListener("pointerdown", (event) => {
   held = [event.clientX, event.clientY];
   picture.setPointerCapture(event.pointerId);

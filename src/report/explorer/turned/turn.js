@@ -124,18 +124,32 @@ function strokeDrawn(stroke, view) {
     arrow(end, times(8 / size, last), stroke.css);
 }
 
-/// The SVG inside of the picture of a motion.
-function drawn(scene, motion, from) {
+// Each label beside its point: the first place where it covers no other label, or the one that covers least.
+function labelsDrawn(labels, view, size) {
+  const taken = [], sides = [[1, -1], [1, 1], [-1, -1], [-1, 1]].flatMap(([across, down]) => [0.5, 1.5, 2.5].map((far) => [across, down * far]));
+  const covered = (a, b) => Math.max(0, Math.min(a.right, b.right) - Math.max(a.left, b.left)) *
+    Math.max(0, Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top));
+  return labels.map(({ anchor, at, text }) => {
+    const [x, y] = view.near(anchor, at), width = 0.62 * size * text.length;
+    const boxes = sides.map(([across, down]) => {
+      const left = across > 0 ? x + 6 : x - 6 - width, base = y + size * (down > 0 ? down + 0.4 : down);
+      const box = { left, base, right: left + width, top: base - size, bottom: base };
+      return { ...box, cost: taken.reduce((sum, other) => sum + covered(box, other), 0) };
+    });
+    const best = boxes.reduce((a, b) => b.cost < a.cost ? b : a);
+    taken.push(best);
+    return `<text class="ink halo" x="${best.left.toFixed(1)}" y="${best.base.toFixed(1)}" font-size="${size}">${escaped(text)}</text>`;
+  });
+}
+
+// The SVG inside of the picture of a motion, with letters of a size in its pixels.
+function drawn(scene, motion, from, letters = 12) {
   const view = viewFrom(scene, from);
   const sticks = scene.sticks.map((ends) => ends.map(view.pixel)).map(([[x, y], [toX, toY]]) => x === toX && y === toY
     ? element("circle", "ink", { cx: x, cy: y, r: 2.5 }) : element("path", "body", { d: path([[x, y], [toX, toY]], "") }));
-  const label = ({ anchor, at, text }) => {
-    const [x, y] = view.near(anchor, at);
-    return `<text class="ink halo" x="${x + 6}" y="${y - 6}" font-size="12">${escaped(text)}</text>`;
-  };
   return [...paintingOrder(scene.pieces, view.towards).map((i) => pieceDrawn(scene, scene.pieces[i], view)), ...sticks,
     ...scene.joints.map((joint) => jointDrawn(joint, view)), ...motion.strokes.map((stroke) => strokeDrawn(stroke, view)),
-    ...motion.labels.map(label)].join("\n");
+    ...labelsDrawn(motion.labels, view, letters)].join("\n");
 }
 
 if (typeof module !== "undefined") module.exports = { direction, drawn };

@@ -41,7 +41,7 @@ void PictureFrame::caption(const std::vector<std::string>& pieces) {
 }
 
 LabelBox PictureFrame::box() const {
-  const double more = std::max(0.0, least_width - (box_.right - box_.left)) / 2 + frame_margin;
+  const double more = std::max(0.0, share_ * least_width - (box_.right - box_.left)) / 2 + frame_margin;
   return {box_.left - more, box_.top - frame_margin, box_.right + more, box_.bottom + frame_margin};
 }
 

@@ -16,7 +16,8 @@ class PictureFrame {
  public:
   static constexpr double widest = 456;  ///< between the labels on the left and the right
 
-  explicit PictureFrame(const Element& svg) : svg_(svg) {}
+  /// `share`: of the width that pictures have at least.
+  explicit PictureFrame(const Element& svg, double share = 1) : svg_(svg), share_(share) {}
 
   void begin(const LabelBox& box) { box_ = box; }
   void see(const LabelBox& box) { box_ = box_.around(box); }
@@ -33,6 +34,7 @@ class PictureFrame {
 
  private:
   const Element svg_;
+  double share_;
   LabelBox box_;
 };
 

@@ -15,6 +15,8 @@ namespace slipproof {
 
 /// From so many contacts on they have letters.
 inline constexpr std::size_t fewest_lettered = 8;
+/// The room for a drawing of so many, in pixels: as wide as its table.
+inline constexpr double lettered_width = 420, lettered_height = 400;
 
 /// `a`, `b`, ..., `z`, `aa`, ...
 std::string contact_letter(std::size_t index);

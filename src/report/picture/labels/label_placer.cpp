@@ -10,6 +10,8 @@ namespace {
 
 /// The length of the part of a line that is inside a box (Liang and Barsky).
 double length_inside(Point from, Point to, const LabelBox& box) {
+  if (std::max(from[0], to[0]) < box.left || std::min(from[0], to[0]) > box.right) return 0;
+  if (std::max(from[1], to[1]) < box.top || std::min(from[1], to[1]) > box.bottom) return 0;
   const double dx = to[0] - from[0], dy = to[1] - from[1];
   double enters = 0, leaves = 1;
   const auto cut = [&](double step, double room) {
@@ -42,10 +44,12 @@ double LabelBox::overlap(const LabelBox& other) const {
   return across > 0 && down > 0 ? across * down : 0;
 }
 
-double LabelPlacer::cost(const LabelBox& box) const {
+double LabelPlacer::cost(const LabelBox& box, double enough) const {
   double sum = 6 * (std::max(0.0, left_ - box.left) + std::max(0.0, box.right - right_));
   for (const LabelBox& other : boxes_) sum += 20 * box.overlap(other);
-  for (const Line& line : lines_) sum += line.weight * length_inside(line.from, line.to, box);
+  for (auto line = lines_.begin(); sum < enough && line != lines_.end(); ++line) {
+    sum += line->weight * length_inside(line->from, line->to, box);
+  }
   return sum;
 }
 
@@ -62,20 +66,22 @@ LabelBox LabelPlacer::best(const Label& label, const std::vector<Label>& all) co
     }
   }
   LabelBox best;
-  double least = -1;
+  double least = std::numeric_limits<double>::max();
   for (const Point& point : label.near) {
     for (const double distance : {5.0, 9.0, 14.0, 22.0, 36.0, 54.0, 76.0}) {
+      if (distance >= least) break;  // no cost is negative
       for (int i = 0; i < directions; ++i) {
         const double angle = 2 * std::numbers::pi * i / directions;
         const double x = point[0] + std::cos(angle) * (distance + label.width / 2);
         const double y = point[1] + std::sin(angle) * (distance + label.height / 2);
         const LabelBox box{x - label.width / 2, y - label.height / 2, x + label.width / 2, y + label.height / 2};
-        double here = distance + cost(box);
+        double here = distance + cost(box, least);
         for (const Point& other : others) {
+          if (here >= least) break;
           const double nearer = distance_to(point, box) + clearly - distance_to(other, box);
           if (nearer > 0) here += nearer > clearly ? wrong_name : wrong_name * nearer / clearly;
         }
-        if (least < 0 || here < least - 1e-6) least = here, best = box;
+        if (here < least - 1e-6) least = here, best = box;
       }
     }
   }

@@ -42,7 +42,8 @@ class LabelPlacer {
     Point from, to;
     double weight;
   };
-  double cost(const LabelBox& box) const;
+  /// Of a place; from `enough` on, perhaps only a part of it.
+  double cost(const LabelBox& box, double enough) const;
   LabelBox best(const Label& label, const std::vector<Label>& all) const;
 
   double left_ = std::numeric_limits<double>::lowest(), right_ = std::numeric_limits<double>::max();

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 
 #include "base/input/diagnostic.hpp"
 #include "base/number/format.hpp"
@@ -48,7 +49,7 @@ class SpacePicture {
 
   /// What a page needs to draw the same from other directions, without motions.
   Json model() const {
-    Json model{{"up", geometry_.up}, {"size", {space_width, space_height}}, {"scale", view_.scale()}};
+    Json model{{"up", geometry_.up}, {"size", room()}, {"scale", view_.scale()}};
     model["corners"] = scenery_.corners();
     for (const char* key : {"pieces", "sticks", "joints"}) model[key] = Json::array();
     for (const Scenery::Piece& piece : scenery_.pieces()) model["pieces"].push_back(piece_json(piece));
@@ -66,12 +67,11 @@ class SpacePicture {
   Json model(const SpaceMotion& motion) const {
     const ElementTree scratch("svg");
     PictureLabels labels;
-    const bool lettered = scene_.mechanism.contacts.size() >= fewest_lettered;
-    SpaceArrows arrows(scratch.root(), {scene_, &motion, geometry_, numbers_, view_, sizes_, lettered, is_virtual_},
+    SpaceArrows arrows(scratch.root(), {scene_, &motion, geometry_, numbers_, view_, sizes_, lettered(), is_virtual_},
                        labels);
     arrows.draw();
     Json model{{"heading", heading_of(motion)}, {"kind", kind_of(motion)}};
-    model["rows"] = contact_rows(scene_, &motion, numbers_, lettered);
+    model["rows"] = contact_rows(scene_, &motion, numbers_, lettered());
     for (const char* key : {"strokes", "labels"}) model[key] = Json::array();
     for (const SpaceStroke& stroke : arrows.strokes()) model["strokes"].push_back(stroke_json(stroke));
     for (const SpaceLabel& label : arrows.labels()) {
@@ -86,15 +86,14 @@ class SpacePicture {
     labels.keep_between(-PictureFrame::widest / 2, PictureFrame::widest / 2);
     frame.begin(box_);
     scenery_.draw(svg, view_, labels);
-    const bool lettered = scene_.mechanism.contacts.size() >= fewest_lettered;
-    SpaceArrows arrows(svg, {scene_, motion, geometry_, numbers_, view_, sizes_, lettered, is_virtual_}, labels);
+    SpaceArrows arrows(svg, {scene_, motion, geometry_, numbers_, view_, sizes_, lettered(), is_virtual_}, labels);
     arrows.draw();
     for (const Point& end : arrows.ends()) frame.see(end);
     signs_.insert(arrows.signs().begin(), arrows.signs().end());
     if (scenery_.shows_shadows(view_)) signs_.insert(SpaceSign::shadow);
     name_parts(labels);
     for (const LabelBox& box : labels.draw(svg)) frame.see(box);
-    below(svg, motion, frame, lettered);
+    below(svg, motion, frame);
     return arrows.described();
   }
 
@@ -119,6 +118,11 @@ class SpacePicture {
             {"dashes", dashes_of(stroke.line)}};
   }
 
+  bool lettered() const { return scene_.mechanism.contacts.size() >= fewest_lettered; }
+  std::array<double, 2> room() const {
+    return lettered() ? std::array{lettered_width, lettered_height} : std::array{space_width, space_height};
+  }
+
   void fit(const std::vector<Vec3>& corners) {
     LabelBox all{1e300, 1e300, -1e300, -1e300};
     for (const Vec3& corner : corners) {
@@ -127,9 +131,10 @@ class SpacePicture {
     }
     const double across = all.right - all.left, up = all.bottom - all.top;
     double scale = 1;
-    if (across > 0 || up > 0)
-      scale = std::min(across > 0 ? space_width / across : space_height / up,
-                       up > 0 ? space_height / up : space_width / across);
+    if (across > 0 || up > 0) {
+      const auto [width, height] = room();
+      scale = std::min(across > 0 ? width / across : height / up, up > 0 ? height / up : width / across);
+    }
     view_.fit({(all.left + all.right) / 2, (all.top + all.bottom) / 2}, scale);
     box_ = {-scale * across / 2, -scale * up / 2, scale * across / 2, scale * up / 2};
   }
@@ -145,10 +150,10 @@ class SpacePicture {
   }
 
   /// The axes of the scene, and beside them the table.
-  void below(const Element& svg, const SpaceMotion* motion, PictureFrame& frame, bool lettered) const {
+  void below(const Element& svg, const SpaceMotion* motion, PictureFrame& frame) const {
     const double left = frame.drawn().left, top = frame.drawn().bottom + 6;
     axes(svg, {left + axes_room / 2 - 4, top + axes_room / 2});
-    auto rows = contact_rows(scene_, motion, numbers_, lettered);
+    auto rows = contact_rows(scene_, motion, numbers_, lettered());
     for (auto& row : rows) {
       if (is_virtual_) row.resize(2);
     }
