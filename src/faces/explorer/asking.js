@@ -26,14 +26,20 @@ function sceneOf(part) {
   throw new Error('The link has a scene that cannot be read. A part of the link is missing?');
 }
 
+// What the library answers, and in how many milliseconds.
+function timed(library, request) {
+  const start = performance.now(), answer = library.answer(request);
+  return { answer, took: performance.now() - start };
+}
+
 // A worker answers, so that dragging stays smooth; where there are no workers, the page itself does.
-function startMapper(given, compiled, library) {
+function startWorker(given, compiled, library) {
   const code = ['library', 'asking'].map(id => document.getElementById(id).textContent).join('\n') + `
     let opened;
     onmessage = async ({ data }) => {
       try {
         if (data.given) opened = openLibrary(data.given, data.compiled);
-        else postMessage({ id: data.id, answer: (await opened).answer(data.request) });
+        else postMessage({ id: data.id, ...timed(await opened, data.request) });
       } catch (error) {
         postMessage({ id: data.id, answer: { mistakes: [String(error.message ?? error)] } });
       }
@@ -44,6 +50,6 @@ function startMapper(given, compiled, library) {
     return { post: message => worker.postMessage(message), listen: listener => { worker.onmessage = ({ data }) => listener(data); } };
   } catch {
     let listener;
-    return { post: ({ id, request }) => listener({ id, answer: library.answer(request) }), listen: other => { listener = other; } };
+    return { post: ({ id, request }) => listener({ id, ...timed(library, request) }), listen: other => { listener = other; } };
   }
 }

@@ -8,7 +8,7 @@ let given = JSON.parse(by('given').textContent);
 const front = 'front' in document.body.dataset;  // of the site
 const svgNamespace = 'http://www.w3.org/2000/svg';
 
-let compiled, library, mapper, original, current;
+let compiled, library, answerer, mapper, original, current;
 let rows = new Map();   // by symbol
 let changed = {};       // texts of numbers by symbol; null: no value
 let across = '';        // the horizontal axis of the diagram
@@ -39,18 +39,23 @@ function addRow(value, place) {
   by(place).append(make('div', { className: 'row' }, label, slider, number, row.note));
 }
 
+// Writes what is not there yet: whatever is written is laid out and drawn again.
+function put(node, key, text) {
+  if (node[key] !== text) node[key] = text;
+}
+
 function showValues(values) {
   for (const value of values) {
     const row = rows.get(value.symbol);
     row.value = value;
-    if (document.activeElement !== row.number) row.number.value = value.value ?? '';
+    if (document.activeElement !== row.number) put(row.number, 'value', value.value ?? '');
     row.number.removeAttribute('aria-invalid');
     if (row.slider) {
-      if (value.near !== null && document.activeElement !== row.slider) row.slider.value = row.steps.nearest(value.near);
+      if (value.near !== null && document.activeElement !== row.slider) put(row.slider, 'value', String(row.steps.nearest(value.near)));
       row.slider.setAttribute('aria-valuetext', spokenValue(value));
     }
     const none = value.value !== null ? '' : value.kind === 'load' ? 'every load' : 'no value';
-    row.note.textContent = [none, nearText(value), row.meaning].filter(Boolean).join(' · ');
+    put(row.note, 'textContent', [none, nearText(value), row.meaning].filter(Boolean).join(' · '));
   }
 }
 
@@ -78,10 +83,20 @@ function show(answer) {
   moveMark();
 }
 
+let answering = false, outdated = false;
+
+// One answer at a time: while it is made, the page shows the last one, and what changes meanwhile is asked next.
 function refresh() {
+  outdated = answering;
+  if (answering) return;
+  answering = true;
+  answerer.post({ request: { set: changed, every_q: false } });
+}
+
+function take({ answer, took = 0 }) {
+  answering = false;
+  if (outdated) ask();
   const start = performance.now();
-  const answer = library.answer({ set: changed, every_q: false });
-  const took = performance.now() - start;
   for (const id of ['pictures', 'numbers']) by(id).classList.toggle('stale', 'mistakes' in answer);
   by('mistakes').textContent = (answer.mistakes ?? []).join('\n');
   if (answer.mistakes) {
@@ -98,8 +113,8 @@ function refresh() {
   later('map', 250, askForMap);
   later('spoken', 700, () => { by('spoken').textContent = by('count').textContent; });
   const shown = performance.now() - start;
-  by('took').textContent = `This answer took ${took.toFixed(1)} ms, its pictures ${(shown - took).toFixed(1)} ms.`;
-  window.slipproofTimes = [took, shown];
+  by('took').textContent = `This answer took ${took.toFixed(1)} ms, its pictures ${shown.toFixed(1)} ms.`;
+  window.slipproofTimes = [took, took + shown];
 }
 
 const timers = {};
@@ -318,10 +333,12 @@ async function start() {
   }
   readState();
   wire();
-  mapper = startMapper(given, compiled, library);
+  mapper = startWorker(given, compiled, library);
   mapper.listen(showMap);
   if (Object.keys(changed).length) show(original);  // it stays if the link's values are refused
-  refresh();
+  take(timed(library, { set: changed, every_q: false }));
+  answerer = startWorker(given, compiled, library);
+  answerer.listen(take);
   if (front && moving.startsByItself()) move(true);
   document.body.dataset.ready = 'true';
 }
