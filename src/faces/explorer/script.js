@@ -39,11 +39,6 @@ function addRow(value, place) {
   by(place).append(make('div', { className: 'row' }, label, slider, number, row.note));
 }
 
-// Writes what is not there yet: whatever is written is laid out and drawn again.
-function put(node, key, text) {
-  if (node[key] !== text) node[key] = text;
-}
-
 function showValues(values) {
   for (const value of values) {
     const row = rows.get(value.symbol);
@@ -111,6 +106,7 @@ function take({ answer, took = 0 }) {
   show(answer);
   later('state', 250, keepState);
   later('map', 250, askForMap);
+  later('calm', 150, () => drawings().forEach(drawing => drawing.classList.remove('hurried')));
   later('spoken', 700, () => { by('spoken').textContent = by('count').textContent; });
   const shown = performance.now() - start;
   by('took').textContent = `This answer took ${took.toFixed(1)} ms, its pictures ${shown.toFixed(1)} ms.`;
@@ -125,6 +121,8 @@ function later(name, milliseconds, work) {
 
 // ---- the motions
 
+const drawings = () => [...by('pictures').querySelectorAll('.drawing')].map(host => host.shadowRoot.firstChild);
+
 function showMotions({ solve, pictures }) {
   by('count').textContent = countText(solve);
   const figures = [...by('pictures').children];
@@ -135,10 +133,10 @@ function showMotions({ solve, pictures }) {
       by('pictures').append(figure);
     }
     figure.children[0].textContent = picture.title;
-    showDrawing(figure.children[1], picture.svg);
+    showDrawing(figure.children[1], picture.svg).classList.add('hurried');
   });
   figures.slice(pictures.length).forEach(figure => figure.remove());
-  by('move-row').hidden = !moving.take([...by('pictures').querySelectorAll('.drawing')].map(host => host.shadowRoot.firstChild));
+  by('move-row').hidden = !moving.take(drawings());
   by('move-note').textContent = moving.words();
   by('numbers').replaceChildren(...tablesOf(solve));
 }
