@@ -88,7 +88,7 @@ function refresh() {
   answerer.post({ request: { set: changed, every_q: false } });
 }
 
-function take({ answer, took = 0 }) {
+function take({ answer, took }) {
   answering = false;
   if (outdated) ask();
   const start = performance.now();

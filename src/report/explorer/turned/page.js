@@ -6,7 +6,7 @@ let [azimuth, elevation] = scene.from, shown = 0, held = null;
 
 function show() {
   const motion = scene.motions[shown];
-  const letters = Math.max(12, least_letters * width / (at("picture").getBoundingClientRect().width || width));
+  const letters = least_letters * Math.max(1, width / (at("picture").getBoundingClientRect().width || width));
   at("picture").innerHTML = drawn(scene, motion, direction(azimuth, elevation), letters);
   at("kind").textContent = motion.kind;
   at("from").textContent = `--from=${Math.round(azimuth * 10) / 10},${Math.round(elevation * 10) / 10}`;
